@@ -1,0 +1,212 @@
+#ifndef heddle_system_fiber_space_h
+#define heddle_system_fiber_space_h
+
+#include <deal.II/base/tensor.h>
+
+#include <heddle/beam/element.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <mpi.h>
+
+namespace Heddle
+{
+  namespace System
+  {
+    using namespace dealii;
+
+    /**
+     * Shape values of the smooth centerline of a fiber at one material point:
+     * $x = \sum_{i<4} N_i\, q_{b_i}$, where $q_b$ is the block (a position or
+     * a tangent) number b of this fiber.
+     */
+    struct MaterialPoint
+    {
+      std::array<unsigned int, 4> blocks;
+      std::array<double, 4>       values;
+    };
+
+    /** What the space keeps of one fiber, on every rank. */
+    struct Fiber
+    {
+      unsigned int first_node; /**< global number of its first node */
+      unsigned int n_nodes;
+      unsigned int n_elements;
+      double       length; /**< reference length [mm] */
+      double       radius; /**< [mm] */
+      unsigned int yarn_id;
+      unsigned int bundle_id;
+      std::string  set;
+      Beam::Section section;
+    };
+
+    /**
+     * The discrete fibers: which nodes and elements there are, how they are
+     * numbered, which rank owns which fiber, and the smooth centerline that
+     * contact, coupling and output see.
+     *
+     * Unknowns come in *blocks* of three numbers; a node has two (Hermite:
+     * position, tangent) or three (director: position, two section vectors).
+     * Blocks are numbered fiber by fiber, node by node, so that a fiber is a
+     * band of the system, and ranks own consecutive whole fibers. Within one
+     * fiber a block is addressed by its number counted from the fiber's first.
+     *
+     * The centerline is piecewise cubic and C1 for every element: the Hermite
+     * element's own, and, through the nodes of the director element, the cubic
+     * with tangents from the parabola through three neighbouring nodes.
+     */
+    class FiberSpace
+    {
+    public:
+      /** Description of a fiber to be added: all but the numbering. */
+      struct Description
+      {
+        std::vector<double> element_lengths; /**< reference lengths [mm] */
+        double              radius;
+        unsigned int        yarn_id;
+        unsigned int        bundle_id;
+        std::string         set;
+        Beam::Section       section;
+      };
+
+      FiberSpace(const MPI_Comm                  communicator,
+                 std::unique_ptr<Beam::Element>  element,
+                 const std::vector<Description> &fibers);
+
+      MPI_Comm
+      communicator() const
+      {
+        return mpi_communicator;
+      }
+
+      const Beam::Element &
+      element() const
+      {
+        return *beam_element;
+      }
+
+      unsigned int
+      n_fibers() const
+      {
+        return fibers.size();
+      }
+
+      const Fiber &
+      fiber(const unsigned int f) const
+      {
+        return fibers[f];
+      }
+
+      /** Fibers [first, second) belong to this rank. */
+      std::pair<unsigned int, unsigned int>
+      owned_fibers() const
+      {
+        return {rank_begin[this_rank], rank_begin[this_rank + 1]};
+      }
+
+      bool
+      owns(const unsigned int f) const
+      {
+        return f >= rank_begin[this_rank] && f < rank_begin[this_rank + 1];
+      }
+
+      /** Numbers of the whole scene, over all ranks. */
+      unsigned int
+      n_nodes() const
+      {
+        return total_nodes;
+      }
+
+      unsigned int
+      n_blocks() const
+      {
+        return total_nodes * blocks_per_node;
+      }
+
+      unsigned int
+      n_dofs() const
+      {
+        return 3 * n_blocks();
+      }
+
+      unsigned int
+      n_blocks_per_node() const
+      {
+        return blocks_per_node;
+      }
+
+      unsigned int
+      n_blocks(const unsigned int f) const
+      {
+        return fibers[f].n_nodes * blocks_per_node;
+      }
+
+      /** Global number of the first block of fiber @p f. */
+      unsigned int
+      first_block(const unsigned int f) const
+      {
+        return fibers[f].first_node * blocks_per_node;
+      }
+
+      /** Blocks [first, second) belong to this rank. */
+      std::pair<unsigned int, unsigned int>
+      owned_blocks() const;
+
+      /** Block of the fiber at which its element @p e begins. */
+      unsigned int
+      first_block_of_element(const unsigned int e) const
+      {
+        return e * (beam_element->n_nodes() - 1) * blocks_per_node;
+      }
+
+      /** Reference arc lengths of the nodes of fiber @p f, from 0 [mm]. */
+      const double *
+      node_positions(const unsigned int f) const
+      {
+        return arc_lengths.data() + fibers[f].first_node;
+      }
+
+      /** Reference length of element @p e of fiber @p f [mm]. */
+      double
+      element_length(const unsigned int f, const unsigned int e) const;
+
+      /**
+       * Return which blocks of fiber @p f make up the position of its particle
+       * at arc length @p s [mm], 0 <= s <= length.
+       */
+      MaterialPoint
+      locate(const unsigned int f, const double s) const;
+
+      /**
+       * Write positions and arc-length derivatives of the centerline at the
+       * nodes of fiber @p f: the knots of its piecewise cubic. @p blocks are
+       * the blocks of the fiber.
+       */
+      void
+      centerline_knots(const unsigned int  f,
+                       const Tensor<1, 3> *blocks,
+                       Tensor<1, 3> *      positions,
+                       Tensor<1, 3> *      tangents) const;
+
+    private:
+      /** Weights by which three nodal positions give the tangent of node i. */
+      std::array<std::pair<unsigned int, double>, 3>
+      tangent_weights(const unsigned int f, const unsigned int node) const;
+
+      const MPI_Comm                       mpi_communicator;
+      const std::unique_ptr<Beam::Element> beam_element;
+      const unsigned int                   blocks_per_node;
+      unsigned int                         this_rank;
+      unsigned int                         total_nodes;
+      std::vector<Fiber>                   fibers;
+      std::vector<double>                  arc_lengths;
+      std::vector<unsigned int>            rank_begin;
+    };
+  } // namespace System
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,52 @@
+#ifndef heddle_textile_fiber_path_h
+#define heddle_textile_fiber_path_h
+
+#include <deal.II/base/tensor.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Textile
+  {
+    using namespace dealii;
+
+    /** "Belongs to no yarn" and "belongs to no bundle". */
+    constexpr unsigned int no_id = std::numeric_limits<unsigned int>::max();
+
+    /**
+     * One fiber before any mechanics: where its axis starts from, and whose it
+     * is. A list of these is all that the mechanics learns of a textile.
+     */
+    struct FiberPath
+    {
+      /**
+       * Knots of the axis from which the computation starts, equally spaced in
+       * arc length, at least two [mm].
+       */
+      std::vector<Tensor<1, 3>> points;
+
+      /**
+       * Length of the fiber when it is free of stress [mm]. Smaller than the
+       * length of the polygon of @p points if the fiber starts stretched.
+       */
+      double reference_length = 0.;
+
+      /** Radius of the circular section [mm]. */
+      double radius = 0.;
+
+      /** Number of the yarn; warp yarns come before weft yarns. */
+      unsigned int yarn_id = no_id;
+
+      /** Number of the bundle in its yarn. */
+      unsigned int bundle_id = no_id;
+
+      /** Name by which supports and loads find it, "warp" and "weft" here. */
+      std::string set;
+    };
+  } // namespace Textile
+} // namespace Heddle
+
+#endif
