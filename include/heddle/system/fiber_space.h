@@ -5,6 +5,7 @@
 
 #include <heddle/beam/element.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -114,6 +115,14 @@ namespace Heddle
         return f >= rank_begin[this_rank] && f < rank_begin[this_rank + 1];
       }
 
+      /** Rank that owns fiber @p f. */
+      unsigned int
+      owner(const unsigned int f) const
+      {
+        return std::upper_bound(rank_begin.begin(), rank_begin.end(), f) -
+               rank_begin.begin() - 1;
+      }
+
       /** Numbers of the whole scene, over all ranks. */
       unsigned int
       n_nodes() const
@@ -191,6 +200,10 @@ namespace Heddle
                        const Tensor<1, 3> *blocks,
                        Tensor<1, 3> *      positions,
                        Tensor<1, 3> *      tangents) const;
+
+      /** Return the i with node i <= s < node i + 1 of fiber @p f. */
+      unsigned int
+      interval(const unsigned int f, const double s) const;
 
     private:
       /** Weights by which three nodal positions give the tangent of node i. */
