@@ -1,17 +1,17 @@
 #ifndef heddle_system_fiber_space_h
 #define heddle_system_fiber_space_h
 
+#include <heddle/beam/element.h>
+
 #include <deal.II/base/tensor.h>
 
-#include <heddle/beam/element.h>
+#include <mpi.h>
 
 #include <array>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <mpi.h>
 
 namespace Heddle
 {
@@ -33,14 +33,14 @@ namespace Heddle
     /** What the space keeps of one fiber, on every rank. */
     struct Fiber
     {
-      unsigned int first_node; /**< global number of its first node */
-      unsigned int n_nodes;
-      unsigned int n_elements;
-      double       length; /**< reference length [mm] */
-      double       radius; /**< [mm] */
-      unsigned int yarn_id;
-      unsigned int bundle_id;
-      std::string  set;
+      unsigned int  first_node; /**< global number of its first node */
+      unsigned int  n_nodes;
+      unsigned int  n_elements;
+      double        length; /**< reference length [mm] */
+      double        radius; /**< [mm] */
+      unsigned int  yarn_id;
+      unsigned int  bundle_id;
+      std::string   set;
       Beam::Section section;
     };
 
@@ -189,8 +189,8 @@ namespace Heddle
       void
       centerline_knots(const unsigned int  f,
                        const Tensor<1, 3> *blocks,
-                       Tensor<1, 3> *      positions,
-                       Tensor<1, 3> *      tangents) const;
+                       Tensor<1, 3>       *positions,
+                       Tensor<1, 3>       *tangents) const;
 
     private:
       /** Weights by which three nodal positions give the tangent of node i. */
