@@ -2,6 +2,7 @@
 #define heddle_textile_path_reader_h
 
 #include <heddle/textile/fiber_path.h>
+#include <heddle/textile/interpolation.h>
 
 #include <istream>
 #include <string>
@@ -12,17 +13,6 @@ namespace Heddle
   namespace Textile
   {
     using namespace dealii;
-
-    /** The curve that is laid through the points of a file. */
-    enum class Interpolation
-    {
-      /** Natural cubic spline over the chord length: C2. */
-      spline,
-      /** Catmull-Rom cubic over the chord length: C1, and more local. */
-      catmull_rom
-    };
-
-
 
     /** How a file of centerlines is to be understood. */
     struct PathReading
