@@ -86,7 +86,7 @@ namespace Heddle
       virtual void
       strains(const Tensor<1, 3> *blocks,
               const double        length,
-              double *            strains) const = 0;
+              double             *strains) const = 0;
 
       /**
        * Predict the stresses after the step @p increment of the unknowns,
@@ -95,12 +95,12 @@ namespace Heddle
        * integration points: Magisano, Leonetti and Garcea, 2017).
        */
       virtual void
-      predict_stresses(const Section &     section,
+      predict_stresses(const Section      &section,
                        const Tensor<1, 3> *blocks,
                        const Tensor<1, 3> *increment,
                        const double        length,
-                       const double *      reference_strains,
-                       double *            stresses) const = 0;
+                       const double       *reference_strains,
+                       double             *stresses) const = 0;
 
       /**
        * Return the elastic energy [N mm] and, where the pointers are not null,
@@ -110,13 +110,13 @@ namespace Heddle
        * stresses if that is null; the residual always uses the true ones.
        */
       virtual double
-      assemble(const Section &     section,
+      assemble(const Section      &section,
                const Tensor<1, 3> *blocks,
                const double        length,
-               const double *      reference_strains,
-               const double *      predicted_stresses,
-               double *            residual,
-               double *            tangent) const = 0;
+               const double       *reference_strains,
+               const double       *predicted_stresses,
+               double             *residual,
+               double             *tangent) const = 0;
 
       /**
        * Strains and section forces at the middle of the element, for output,
@@ -127,18 +127,18 @@ namespace Heddle
         double       axial_strain = 0.; /**< [-] */
         Tensor<1, 2> shear_strain;      /**< [-] */
         double       twist = 0.;        /**< [1/mm] */
-        Tensor<1, 2> curvature;         /**< [1/mm]; first: magnitude if torsion-free */
-        double       axial_force = 0.;  /**< [N] */
-        Tensor<1, 2> shear_force;       /**< [N] */
-        double       torque = 0.;       /**< [N mm] */
-        Tensor<1, 2> bending_moment;    /**< [N mm] */
+        Tensor<1, 2> curvature; /**< [1/mm]; first: magnitude if torsion-free */
+        double       axial_force = 0.; /**< [N] */
+        Tensor<1, 2> shear_force;      /**< [N] */
+        double       torque = 0.;      /**< [N mm] */
+        Tensor<1, 2> bending_moment;   /**< [N mm] */
       };
 
       virtual SectionState
-      section_state(const Section &     section,
+      section_state(const Section      &section,
                     const Tensor<1, 3> *blocks,
                     const double        length,
-                    const double *      reference_strains) const = 0;
+                    const double       *reference_strains) const = 0;
 
       /** Elastic energy [N mm], split by the strain that stores it. */
       struct EnergySplit
@@ -151,10 +151,10 @@ namespace Heddle
       };
 
       virtual EnergySplit
-      energy_split(const Section &     section,
+      energy_split(const Section      &section,
                    const Tensor<1, 3> *blocks,
                    const double        length,
-                   const double *      reference_strains) const = 0;
+                   const double       *reference_strains) const = 0;
     };
 
     /**

@@ -1,9 +1,11 @@
 #ifndef heddle_system_fiber_space_h
 #define heddle_system_fiber_space_h
 
+#include <heddle/beam/element.h>
+
 #include <deal.II/base/tensor.h>
 
-#include <heddle/beam/element.h>
+#include <mpi.h>
 
 #include <algorithm>
 #include <array>
@@ -11,8 +13,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <mpi.h>
 
 namespace Heddle
 {
@@ -34,14 +34,14 @@ namespace Heddle
     /** What the space keeps of one fiber, on every rank. */
     struct Fiber
     {
-      unsigned int first_node; /**< global number of its first node */
-      unsigned int n_nodes;
-      unsigned int n_elements;
-      double       length; /**< reference length [mm] */
-      double       radius; /**< [mm] */
-      unsigned int yarn_id;
-      unsigned int bundle_id;
-      std::string  set;
+      unsigned int  first_node; /**< global number of its first node */
+      unsigned int  n_nodes;
+      unsigned int  n_elements;
+      double        length; /**< reference length [mm] */
+      double        radius; /**< [mm] */
+      unsigned int  yarn_id;
+      unsigned int  bundle_id;
+      std::string   set;
       Beam::Section section;
     };
 
@@ -198,8 +198,8 @@ namespace Heddle
       void
       centerline_knots(const unsigned int  f,
                        const Tensor<1, 3> *blocks,
-                       Tensor<1, 3> *      positions,
-                       Tensor<1, 3> *      tangents) const;
+                       Tensor<1, 3>       *positions,
+                       Tensor<1, 3>       *tangents) const;
 
       /** Return the i with node i <= s < node i + 1 of fiber @p f. */
       unsigned int

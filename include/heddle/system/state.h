@@ -1,9 +1,9 @@
 #ifndef heddle_system_state_h
 #define heddle_system_state_h
 
-#include <deal.II/base/tensor.h>
-
 #include <heddle/system/fiber_space.h>
+
+#include <deal.II/base/tensor.h>
 
 #include <vector>
 
