@@ -1,3 +1,4 @@
+#include <heddle/base/file.h>
 #include <heddle/io/patch_file.h>
 
 #include <deal.II/base/mpi.h>
@@ -50,8 +51,7 @@ namespace Heddle
       const std::string beside = path + ".part";
 
       if (first_rank)
-        std::filesystem::create_directories(
-          std::filesystem::path(path).parent_path());
+        create_folder(std::filesystem::path(path).parent_path().string());
       MPI_Barrier(communicator);
       this->write_vtu_in_parallel(beside, communicator);
       MPI_Barrier(communicator);

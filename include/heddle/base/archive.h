@@ -93,6 +93,10 @@ namespace Heddle
     virtual bool
     has(const std::string &name) const = 0;
 
+    /** Return the number of rows of a table over all ranks. */
+    virtual std::uint64_t
+    n_rows(const std::string &name) const = 0;
+
     /** Return @p n_rows rows of a table, beginning with @p first_row. */
     virtual std::vector<double>
     read(const std::string  &name,
