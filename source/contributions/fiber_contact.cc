@@ -69,6 +69,15 @@ namespace Heddle
 
 
     void
+    FiberContact::probe(System::State &state)
+    {
+      update_curves(state);
+      place_elements();
+    }
+
+
+
+    void
     FiberContact::update_curves(const System::State &state)
     {
       first_knot.assign(space.n_fibers(), 0);

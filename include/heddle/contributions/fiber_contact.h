@@ -49,6 +49,9 @@ namespace Heddle
       void
       update(System::State &state) override;
 
+      void
+      probe(System::State &state) override;
+
       bool
       needs_new_pattern() const override;
 

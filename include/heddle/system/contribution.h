@@ -45,12 +45,25 @@ namespace Heddle
       update(State &)
       {}
 
+      /**
+       * The same for a configuration that is only tried: what was searched
+       * stays, and so do the ghosts.
+       */
+      virtual void
+      probe(State &)
+      {}
+
       /** Whether the pattern that was last given no longer suffices. */
       virtual bool
       needs_new_pattern() const
       {
         return false;
       }
+
+      /** Append the motions that this term prescribes in the current state. */
+      virtual void
+      constrain(const State &, std::vector<BlockSystem::Constraint> &) const
+      {}
 
       /** Say which blocks assemble() may couple. */
       virtual void
