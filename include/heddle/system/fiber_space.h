@@ -205,11 +205,11 @@ namespace Heddle
       unsigned int
       interval(const unsigned int f, const double s) const;
 
-    private:
       /** Weights by which three nodal positions give the tangent of node i. */
       std::array<std::pair<unsigned int, double>, 3>
       tangent_weights(const unsigned int f, const unsigned int node) const;
 
+    private:
       const MPI_Comm                       mpi_communicator;
       const std::unique_ptr<Beam::Element> beam_element;
       const unsigned int                   blocks_per_node;
