@@ -11,6 +11,20 @@ namespace Heddle
 {
   namespace Textile
   {
+    namespace
+    {
+      std::string
+      join(const std::vector<std::string> &words)
+      {
+        std::string text;
+        for (const std::string &word : words)
+          text += (text.empty() ? "" : ",") + word;
+        return text;
+      }
+    } // namespace
+
+
+
     CsvTable::CsvTable(std::istream                   &input,
                        const std::string              &name,
                        const std::vector<std::string> &required,
@@ -19,10 +33,8 @@ namespace Heddle
       , name(name)
     {
       const std::string wanted =
-        dealii::Utilities::join(required, ",") +
-        (optional.empty()
-           ? ""
-           : " and perhaps " + dealii::Utilities::join(optional, ","));
+        join(required) +
+        (optional.empty() ? "" : " and perhaps " + join(optional));
       if (!read_line())
         throw InputError(name +
                          ": the file is empty; its first line must name "
