@@ -149,26 +149,13 @@ namespace Heddle
 
     for (const Statement &statement : statements)
       {
-        const auto &[where, path, name, value] = statement;
-        require(declared.has_section(path),
-                where + ": no section \"" + join_path(path) + "\"" +
-                  declared.suggest_section(path));
-        if (name.empty())
+        check(statement, declared);
+        if (statement.name.empty())
           continue;
-        const std::string in = path.empty()
-                                 ? " outside of all sections"
-                                 : " in section \"" + join_path(path) + "\"";
-        require(declared.has_parameter(path, name),
-                where + ": no parameter \"" + name + "\"" + in +
-                  declared.suggest_parameter(path, name));
-        require(declared.admits(path, name, value),
-                where + ": \"" + name + "\"" + in + " is \"" + value +
-                  "\", but must be " + declared.allowed(path, name) + ".");
-
-        for (const std::string &section : path)
+        for (const std::string &section : statement.path)
           prm.enter_subsection(section);
-        prm.set(name, value);
-        for (unsigned int i = 0; i < path.size(); ++i)
+        prm.set(statement.name, statement.value);
+        for (unsigned int i = 0; i < statement.path.size(); ++i)
           prm.leave_subsection();
       }
 
@@ -196,6 +183,30 @@ namespace Heddle
   ParameterFile::text() const
   {
     return file_text;
+  }
+
+
+
+  void
+  ParameterFile::check(const Statement          &statement,
+                       const DeclaredParameters &declared)
+  {
+    const auto &[where, path, name, value] = statement;
+    if (!declared.has_section(path))
+      throw InputError(where + ": no section \"" + join_path(path) + "\"" +
+                       declared.suggest_section(path));
+    if (name.empty())
+      return;
+
+    const std::string in = path.empty()
+                             ? " outside of all sections"
+                             : " in section \"" + join_path(path) + "\"";
+    if (!declared.has_parameter(path, name))
+      throw InputError(where + ": no parameter \"" + name + "\"" + in +
+                       declared.suggest_parameter(path, name));
+    if (!declared.admits(path, name, value))
+      throw InputError(where + ": \"" + name + "\"" + in + " is \"" + value +
+                       "\", but must be " + declared.allowed(path, name) + ".");
   }
 
 

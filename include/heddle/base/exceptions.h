@@ -46,6 +46,7 @@ namespace Heddle
   /**
    * Throw InputError with @p message unless @p condition holds. For what the
    * user can cause; what only we can cause is caught by Assert.
+   * The message is put together whether the condition holds or not.
    */
   inline void
   require(const bool condition, const std::string &message)

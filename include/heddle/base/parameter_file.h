@@ -10,6 +10,8 @@ namespace Heddle
 {
   using namespace dealii;
 
+  class DeclaredParameters;
+
   /**
    * The text of a parameter file, statement by statement, and what the command
    * line sets on top of it.
@@ -79,6 +81,10 @@ namespace Heddle
       std::string              name; /**< empty for a subsection */
       std::string              value;
     };
+
+    /** Throw InputError if the statement is about nothing that is declared. */
+    static void
+    check(const Statement &statement, const DeclaredParameters &declared);
 
     void
     scan(const std::string &file, const std::string &content);
