@@ -40,8 +40,6 @@ int
 main()
 {
   initlog();
-  deallog.get_file_stream().precision(4);
-
   Textile::WeaveDescription description;
   description.start               = Textile::Start::interpenetrating;
   description.warp.n_yarns        = 2;

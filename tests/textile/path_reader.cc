@@ -37,8 +37,6 @@ int
 main()
 {
   initlog();
-  deallog.get_file_stream().precision(5);
-
   PathReading reading;
   reading.element_length = 0.5;
   reading.scale          = 0.1;

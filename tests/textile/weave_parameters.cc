@@ -32,8 +32,6 @@ main()
         "subsection Weft yarns\nset Same as warp yarns = false\n"
         "set Number of yarns = 3\nset Yarn spacing = 0.5\nend\n"})
     {
-      ParameterAcceptor::prm.clear();
-      ParameterAcceptor::declare_all_parameters();
       ParameterAcceptor::prm.parse_input_from_string(
         "subsection Weave\nset Pattern = twill 2/2\n"
         "set Start = interpenetrating\nsubsection Warp yarns\n"

@@ -52,8 +52,6 @@ int
 main()
 {
   initlog();
-  deallog.get_file_stream().precision(5);
-
   WeaveDescription description;
   description.start                          = Start::interpenetrating;
   description.warp.n_yarns                   = 2;
