@@ -19,12 +19,16 @@ print(const std::string &name, const Post::CrossingCount &count)
 
 
 void
-count(const std::string &pattern, const Textile::Start start)
+count(const std::string   &pattern,
+      const Textile::Start start,
+      const double         spacing)
 {
   Textile::WeaveDescription description;
   description.pattern                = pattern;
   description.start                  = start;
   description.warp.packing.n_bundles = 3;
+  description.warp.packing.radius    = 1.;
+  description.warp.spacing           = spacing;
   description.weft                   = description.warp;
   const Textile::Weave weave(description);
 
@@ -46,6 +50,8 @@ count(const std::string &pattern, const Textile::Start start)
                             : Post::OrderedFibers{weft, warp});
       inverted.push_back({crossings.back().lower, crossings.back().upper});
     }
+  deallog << "clear at a spacing of " << spacing << " R: " << weave.is_clear()
+          << std::endl;
   print(pattern, count_crossing_order(lines, crossings));
   print(pattern + " inverted", count_crossing_order(lines, inverted));
 }
@@ -56,9 +62,11 @@ int
 main()
 {
   initlog();
-  count("plain", Textile::Start::crimped);
-  count("twill 2/2", Textile::Start::crimped);
-  count("plain", Textile::Start::interpenetrating);
+  count("plain", Textile::Start::crimped, 30.);
+  count("twill 2/2", Textile::Start::crimped, 30.);
+  count("plain", Textile::Start::interpenetrating, 30.);
+  // Too close to be clear of each other, not too close to be in order.
+  count("plain", Textile::Start::crimped, 27.);
 
   const std::vector<Post::Polyline> three = {
     {Tensor<1, 3>({-1., 0., 0.}), Tensor<1, 3>({1., 0., 0.})},

@@ -48,6 +48,6 @@ main()
   });
   refuse([](auto &weave) {
     weave.warp.n_yarns = weave.weft.n_yarns = 2;
-    weave.warp.spacing = weave.weft.spacing = 0.04;
+    weave.warp.spacing = weave.weft.spacing = 0.03;
   });
 }

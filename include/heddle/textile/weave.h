@@ -37,19 +37,21 @@ namespace Heddle
      *
      * The crimped start bends each yarn along a YarnAxis. The sections of the
      * yarn stay normal to it if the yarns get clear of each other so, at up to
-     * twice the height at which flat ribbons would just touch. Then fibers of
-     * one yarn keep the distance that they have in the straight yarn, as long
-     * as the axis is not bent more sharply than the yarn is thick. Wide yarns
-     * close to each other leave no room for this: their sections stay upright,
-     * every fiber follows the same height curve, and fibers of one yarn come up
-     * to half a radius too close to each other on the slope.
+     * 1.5 times the height at which flat ribbons would just touch. Then fibers
+     * of one yarn keep the distance that they have in the straight yarn, as
+     * long as the axis is not bent more sharply than the yarn is thick. Wide
+     * yarns close to each other leave no room for this: their sections stay
+     * upright, every fiber follows the same height curve, and fibers of one
+     * yarn come up to half a radius too close to each other on the slope. Where
+     * not even this gets them clear, the edges of crossing yarns overlap, but
+     * every fiber starts on its side of every other.
      */
     class Weave
     {
     public:
       /**
        * Throws InputError if the description is impossible, or if no crimp up
-       * to six times the flat one gets the yarns clear of each other.
+       * to six times the flat one gets the yarns past each other.
        */
       explicit Weave(const WeaveDescription &description);
 
@@ -96,6 +98,10 @@ namespace Heddle
         return normal_sections;
       }
 
+      /** Whether no warp fiber touches a weft fiber. */
+      bool
+      is_clear() const;
+
     private:
       enum Direction
       {
@@ -118,18 +124,22 @@ namespace Heddle
       find_crimp();
 
       /**
-       * Try crimp factors from @p smallest to @p largest with sections normal
-       * to the axis or upright, and tell whether the last one gets the yarns
-       * clear of each other.
+       * Try crimp factors from @p smallest to @p largest, with sections normal
+       * to the axis or upright, until @p goal is reached; tell whether it was.
        */
       bool
-      raise_until_clear(const bool   normal,
-                        const double smallest,
-                        const double largest);
+      raise_until(bool (Weave::*goal)() const,
+                  const bool   normal,
+                  const double smallest,
+                  const double largest);
 
-      /** Whether no warp fiber touches a weft fiber as things stand. */
+      /**
+       * Whether each warp fiber passes each weft fiber on its side, by half the
+       * distance at which they would touch or more, as things stand.
+       * @pre The sections are upright.
+       */
       bool
-      is_clear() const;
+      is_in_order() const;
 
       /** Position across the fabric of yarn number @p i of its family [mm]. */
       double

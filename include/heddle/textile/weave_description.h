@@ -53,7 +53,7 @@ namespace Heddle
       /**
        * Height of the yarn axes at the crossings of the crimped start, over a
        * quarter of the sum of both yarns' heights; 0: the smallest at which the
-       * yarns are clear of each other [-].
+       * yarns are clear of each other or, if there is none, in order [-].
        */
       double crimp_factor = 0.;
 
