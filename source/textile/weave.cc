@@ -104,6 +104,7 @@ namespace Heddle
       const YarnAxis yarn_axis = axis(direction, i);
       const double   middle    = position(direction, i);
       const double   rate      = 2. * numbers::PI * yarns.twist;
+      const bool     normal    = normal_sections;
 
       std::vector<Curve> curves;
       for (const Point<2> &place : pack_yarn(yarns.packing, yarn).positions)
@@ -111,7 +112,7 @@ namespace Heddle
           const double cosine = std::cos(rate * x), sine = std::sin(rate * x);
           const double across = cosine * place[0] - sine * place[1];
           const double up     = sine * place[0] + cosine * place[1];
-          const double slope  = normal_sections ? yarn_axis.slope(x) : 0.;
+          const double slope  = normal ? yarn_axis.slope(x) : 0.;
           const double length = std::sqrt(1. + slope * slope);
           const double along  = x - up * slope / length;
           const double height = yarn_axis.height(x) + up / length;
