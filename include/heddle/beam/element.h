@@ -30,7 +30,9 @@ namespace Heddle
 
     /**
      * Return the constants of a full circle of radius @p radius [mm] for the
-     * axial modulus E [MPa], the shear modulus G [MPa] and Poisson's ratio.
+     * axial modulus E [MPa], the shear modulus G [MPa] and Poisson's ratio, all
+     * positive, the ratio from 0 to below 0.5. Sections stay plane: the shear
+     * factor $k_s$ is 1 and $J = 2 I$. An InputError says which is wrong.
      */
     Section
     circular_section(const double radius,
@@ -159,7 +161,8 @@ namespace Heddle
 
     /**
      * Return the element of the given @p name ("hermite" or "director") and
-     * @p degree (1, 2 or 3; ignored by "hermite", which is cubic).
+     * @p degree (1, 2 or 3; ignored by "hermite", which is cubic). An
+     * InputError says what else was found.
      */
     std::unique_ptr<Element>
     make_element(const std::string &name, const unsigned int degree);

@@ -7,6 +7,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -114,6 +115,14 @@ namespace Heddle
         return f >= rank_begin[this_rank] && f < rank_begin[this_rank + 1];
       }
 
+      /** Rank that owns fiber @p f. */
+      unsigned int
+      owner(const unsigned int f) const
+      {
+        return std::upper_bound(rank_begin.begin(), rank_begin.end(), f) -
+               rank_begin.begin() - 1;
+      }
+
       /** Numbers of the whole scene, over all ranks. */
       unsigned int
       n_nodes() const
@@ -192,11 +201,15 @@ namespace Heddle
                        Tensor<1, 3>       *positions,
                        Tensor<1, 3>       *tangents) const;
 
-    private:
+      /** Return the i with node i <= s < node i + 1 of fiber @p f. */
+      unsigned int
+      interval(const unsigned int f, const double s) const;
+
       /** Weights by which three nodal positions give the tangent of node i. */
       std::array<std::pair<unsigned int, double>, 3>
       tangent_weights(const unsigned int f, const unsigned int node) const;
 
+    private:
       const MPI_Comm                       mpi_communicator;
       const std::unique_ptr<Beam::Element> beam_element;
       const unsigned int                   blocks_per_node;

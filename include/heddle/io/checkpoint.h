@@ -1,0 +1,94 @@
+#ifndef heddle_io_checkpoint_h
+#define heddle_io_checkpoint_h
+
+#include <heddle/base/archive.h>
+#include <heddle/system/fiber_space.h>
+#include <heddle/system/state.h>
+
+#include <functional>
+#include <string>
+
+namespace Heddle
+{
+  namespace IO
+  {
+    /**
+     * The files from which a run goes on: DIRECTORY/checkpoint/step-00012.h5.
+     *
+     * A file appears under its name when it is complete, and only then are the
+     * oldest ones removed: a run that is killed at any moment leaves its last
+     * checkpoint. Fibers, nodes and contacts are numbered by global ids, so
+     * any number of ranks may read it.
+     */
+    class Checkpoint
+    {
+    public:
+      /** Where the run stood. */
+      struct Position
+      {
+        std::string  stage;
+        unsigned int number = 0; /**< of the load step, over all stages */
+        std::string  parameters; /**< text of the parameter file */
+        std::string  history;    /**< text of history.csv */
+      };
+
+      using Save = std::function<void(ArchiveWriter &)>;
+      using Load = std::function<void(const ArchiveReader &)>;
+
+      /** Number of the layout of the files; older and newer are refused. */
+      static constexpr unsigned int schema = 1;
+
+      /** The last @p n_kept files stay. */
+      Checkpoint(const System::FiberSpace &space,
+                 const std::string        &directory,
+                 const unsigned int        n_kept);
+
+      /**
+       * Write @p state, and what @p save adds: the parts of the contributions.
+       * @note Collective.
+       */
+      void
+      write(const Position      &position,
+            const System::State &state,
+            const Save          &save) const;
+
+      /**
+       * Return the path of the last checkpoint in @p directory; without one,
+       * throw InputError.
+       */
+      static std::string
+      last(const std::string &directory);
+
+      /**
+       * Set @p state, current and accepted, from the file @p path, let @p load
+       * take what belongs to the contributions, and return where the run
+       * stood. A file of other fibers throws InputError.
+       * @note Collective.
+       */
+      Position
+      read(const std::string &path,
+           System::State     &state,
+           const Load        &load) const;
+
+    private:
+      void
+      write_scene(ArchiveWriter &archive) const;
+
+      void
+      check_scene(const ArchiveReader &archive, const std::string &path) const;
+
+      /**
+       * Remove what is older than the last files, and what is later than the
+       * @p newest: it belongs to an earlier run that went another way.
+       */
+      void
+      tidy_up(const std::string &newest) const;
+
+      const System::FiberSpace &space;
+      const std::string         folder;
+      const unsigned int        n_kept;
+    };
+  } // namespace IO
+} // namespace Heddle
+
+#endif

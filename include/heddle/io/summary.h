@@ -1,0 +1,97 @@
+#ifndef heddle_io_summary_h
+#define heddle_io_summary_h
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace IO
+  {
+    /** Seconds on the clock, and where they went. */
+    struct WallTime
+    {
+      double total         = 0.;
+      double detection     = 0.;
+      double assembly      = 0.;
+      double linear_solver = 0.;
+      double output        = 0.;
+    };
+
+
+
+    /** What one stage came to. A ratio that was not computed is NaN. */
+    struct StageSummary
+    {
+      std::string   name;
+      std::string   status                  = "running";
+      unsigned int  steps                   = 0;
+      unsigned int  newton_iterations       = 0;
+      unsigned int  factorizations          = 0;
+      unsigned int  linear_iterations       = 0;
+      std::uint64_t contact_elements        = 0;
+      std::uint64_t active_contact_elements = 0;
+      unsigned int  crossings_total         = 0;
+      unsigned int  crossings_wrong         = 0;
+
+      /** Largest penetration over fiber radius [-]. */
+      double max_penetration_ratio = std::numeric_limits<double>::quiet_NaN();
+
+      /** Largest unbalanced nodal force over the mean contact force [-]. */
+      double residual_ratio = std::numeric_limits<double>::quiet_NaN();
+
+      /** Number of its last file of fibers and contacts, -1 if none. */
+      int last_output = -1;
+
+      WallTime wall_time;
+    };
+
+
+
+    /**
+     * The numbers of a run for a script to read, summary.json. It is written
+     * whenever a stage ends and when the run ends, whichever way it does.
+     */
+    struct Summary
+    {
+      enum class Status
+      {
+        running,
+        converged,
+        not_converged,
+        stopped,
+        failed
+      };
+
+      Status      status = Status::running;
+      std::string reason; /**< one sentence, unless all is well */
+
+      std::uint64_t            n_fibers      = 0;
+      std::uint64_t            n_fiber_nodes = 0;
+      std::uint64_t            n_dofs        = 0;
+      unsigned int             ranks         = 1;
+      std::vector<std::string> contributions;
+
+      std::vector<StageSummary> stages;
+
+      /** Further results of a scene, with the unit in the name. */
+      std::map<std::string, double> results;
+
+      /** Programs and libraries that computed it, with their versions. */
+      std::map<std::string, std::string> versions;
+
+      /** The summary as JSON; numbers that are NaN become null. */
+      std::string
+      json() const;
+
+      /** Write DIRECTORY/summary.json; to be called on one rank. */
+      void
+      write(const std::string &directory) const;
+    };
+  } // namespace IO
+} // namespace Heddle
+
+#endif

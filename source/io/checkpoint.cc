@@ -1,0 +1,237 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
+#include <heddle/io/checkpoint.h>
+#include <heddle/io/hdf5_archive.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+namespace Heddle
+{
+  namespace IO
+  {
+    using namespace dealii;
+
+    namespace internal
+    {
+      namespace Checkpoint
+      {
+        /** All complete checkpoints of a folder, in ascending order. */
+        std::vector<std::filesystem::path>
+        files(const std::string &folder)
+        {
+          std::vector<std::filesystem::path> paths;
+          if (std::filesystem::is_directory(folder))
+            for (const auto &entry :
+                 std::filesystem::directory_iterator(folder))
+              if (entry.path().extension() == ".h5" &&
+                  entry.path().stem().string().rfind("step-", 0) == 0)
+                paths.push_back(entry.path());
+          std::sort(paths.begin(), paths.end());
+          return paths;
+        }
+
+
+
+        std::string
+        folder(const std::string &directory)
+        {
+          return directory + "/checkpoint";
+        }
+
+
+
+        /** What a fiber must agree in: length, radius, numbers of its parts. */
+        std::vector<double>
+        identity(const System::Fiber &fiber)
+        {
+          return {fiber.length,
+                  fiber.radius,
+                  static_cast<double>(fiber.n_elements),
+                  static_cast<double>(fiber.n_nodes)};
+        }
+      } // namespace Checkpoint
+    }   // namespace internal
+
+
+
+    Checkpoint::Checkpoint(const System::FiberSpace &space,
+                           const std::string        &directory,
+                           const unsigned int        n_kept)
+      : space(space)
+      , folder(internal::Checkpoint::folder(directory))
+      , n_kept(n_kept)
+    {
+    }
+
+
+
+    void
+    Checkpoint::write(const Position      &position,
+                      const System::State &state,
+                      const Save          &save) const
+    {
+      const MPI_Comm communicator = space.communicator();
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        create_folder(folder);
+      MPI_Barrier(communicator);
+
+      const std::string path = folder + "/step-" +
+                               Utilities::int_to_string(position.number, 5) +
+                               ".h5";
+      Hdf5Writer archive(path, communicator);
+      write_scene(archive);
+      archive.write_text("position/stage", position.stage);
+      archive.write_text("position/parameters", position.parameters);
+      archive.write_text("position/history", position.history);
+      archive.write_number("position/number", position.number);
+      archive.write_number("position/step", state.step);
+      archive.write_number("position/load_factor", state.load_factor);
+
+      std::vector<double> values;
+      values.reserve(3 * state.n_owned_blocks());
+      for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)
+        for (unsigned int d = 0; d < 3; ++d)
+          values.push_back(state.current()[b][d]);
+      archive.write("fibers/blocks",
+                    space.owned_blocks().first,
+                    space.n_blocks(),
+                    values,
+                    3);
+
+      save(archive);
+      archive.commit();
+      tidy_up(path);
+    }
+
+
+
+    void
+    Checkpoint::write_scene(ArchiveWriter &archive) const
+    {
+      archive.write_number("schema", schema);
+      archive.write_text("fibers/element", space.element().name());
+
+      std::vector<double> values;
+      const auto          owned = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          const auto fiber = internal::Checkpoint::identity(space.fiber(f));
+          values.insert(values.end(), fiber.begin(), fiber.end());
+        }
+      archive.write(
+        "fibers/identity", owned.first, space.n_fibers(), values, 4);
+    }
+
+
+
+    void
+    Checkpoint::tidy_up(const std::string &newest) const
+    {
+      if (Utilities::MPI::this_mpi_process(space.communicator()) != 0)
+        return;
+      auto files = internal::Checkpoint::files(folder);
+      while (files.back() != newest)
+        {
+          std::filesystem::remove(files.back());
+          files.pop_back();
+        }
+      for (std::size_t i = 0; i + n_kept < files.size(); ++i)
+        std::filesystem::remove(files[i]);
+    }
+
+
+
+    std::string
+    Checkpoint::last(const std::string &directory)
+    {
+      const auto files =
+        internal::Checkpoint::files(internal::Checkpoint::folder(directory));
+      require(!files.empty(),
+              "There is no checkpoint in \"" + directory +
+                "\" to resume from: run without --resume first.");
+      return files.back().string();
+    }
+
+
+
+    void
+    Checkpoint::check_scene(const ArchiveReader &archive,
+                            const std::string   &path) const
+    {
+      const std::string  begin = "The checkpoint \"" + path + "\" ";
+      const unsigned int found =
+        archive.has("schema") ? archive.read_number("schema") : 0;
+      require(found == schema,
+              begin + "has layout " + std::to_string(found) +
+                ", and this program reads layout " + std::to_string(schema) +
+                ": resume it with the version that wrote it.");
+
+      const auto element = archive.read_text("fibers/element");
+      require(element == space.element().name(),
+              begin + "is of \"" + element +
+                "\" elements, and the scene has \"" + space.element().name() +
+                "\" ones.");
+      const auto n_fibers = archive.n_rows("fibers/identity");
+      require(n_fibers == space.n_fibers(),
+              begin + "is of " + std::to_string(n_fibers) +
+                " fibers, and the scene has " +
+                std::to_string(space.n_fibers()) + ".");
+
+      const auto owned  = space.owned_fibers();
+      const auto values = archive.read(
+        "fibers/identity", owned.first, owned.second - owned.first, 4);
+      unsigned int wrong = space.n_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          const auto    fiber = internal::Checkpoint::identity(space.fiber(f));
+          const double *there = values.data() + 4 * (f - owned.first);
+          for (unsigned int i = 0; i < 4; ++i)
+            if (std::abs(there[i] - fiber[i]) > 1e-10 * std::abs(fiber[i]))
+              wrong = std::min(wrong, f);
+        }
+      wrong = Utilities::MPI::min(wrong, space.communicator());
+      require(wrong == space.n_fibers(),
+              begin + "is of another scene: fiber " + std::to_string(wrong) +
+                " has another length, radius or number of elements there.");
+    }
+
+
+
+    Checkpoint::Position
+    Checkpoint::read(const std::string &path,
+                     System::State     &state,
+                     const Load        &load) const
+    {
+      const Hdf5Reader archive(path, space.communicator());
+      check_scene(archive, path);
+
+      Position position;
+      position.stage      = archive.read_text("position/stage");
+      position.parameters = archive.read_text("position/parameters");
+      position.history    = archive.read_text("position/history");
+      position.number     = archive.read_number("position/number");
+      state.step          = archive.read_number("position/step");
+      state.load_factor   = archive.read_number("position/load_factor");
+
+      const auto owned  = space.owned_fibers();
+      const auto values = archive.read(
+        "fibers/blocks", space.owned_blocks().first, state.n_owned_blocks(), 3);
+      auto value = values.begin();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+          for (unsigned int d = 0; d < 3; ++d)
+            state.fiber(f)[b][d] = *value++;
+      state.update_ghosts();
+      state.accept();
+
+      load(archive);
+      return position;
+    }
+  } // namespace IO
+} // namespace Heddle

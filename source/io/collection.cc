@@ -1,0 +1,78 @@
+#include <heddle/base/file.h>
+#include <heddle/io/collection.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace IO
+  {
+    Collection::Collection(const std::string &directory,
+                           const std::string &name,
+                           const MPI_Comm     communicator,
+                           const unsigned int resume_at)
+      : directory(directory)
+      , name(name)
+      , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    {
+      if (!first_rank || resume_at == 0)
+        return;
+
+      const std::string end_mark = file_name(resume_at);
+      std::ifstream     file(directory + "/" + name + ".pvd");
+      for (std::string line; std::getline(file, line);)
+        {
+          const auto begin = line.find(name + "/" + name + "-");
+          if (begin != std::string::npos &&
+              line.substr(begin, end_mark.size()) < end_mark)
+            entries.push_back(line);
+        }
+    }
+
+
+
+    std::string
+    Collection::file_name(const unsigned int number) const
+    {
+      return name + "/" + name + "-" +
+             dealii::Utilities::int_to_string(number, 5) + ".vtu";
+    }
+
+
+
+    std::string
+    Collection::path(const unsigned int number) const
+    {
+      return directory + "/" + file_name(number);
+    }
+
+
+
+    void
+    Collection::add(const unsigned int number,
+                    const double       time,
+                    const std::string &stage)
+    {
+      if (!first_rank)
+        return;
+
+      std::ostringstream entry;
+      entry.precision(12);
+      entry << "    <DataSet timestep=\"" << time << "\" group=\"" << stage
+            << "\" part=\"0\" file=\"" << file_name(number) << "\"/>";
+      entries.push_back(entry.str());
+
+      std::string list = "<?xml version=\"1.0\"?>\n"
+                         "<VTKFile type=\"Collection\" version=\"0.1\" "
+                         "byte_order=\"LittleEndian\">\n  <Collection>\n";
+      for (const auto &line : entries)
+        list += line + "\n";
+      list += "  </Collection>\n</VTKFile>\n";
+      write_file(directory + "/" + name + ".pvd", list);
+    }
+  } // namespace IO
+} // namespace Heddle

@@ -1,0 +1,166 @@
+#include <heddle/io/contact_output.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Heddle
+{
+  namespace IO
+  {
+    namespace internal
+    {
+      namespace ContactOutput
+      {
+        Tensor<1, 3>
+        position(const System::FiberSpace &space,
+                 const System::State      &state,
+                 const unsigned int        f,
+                 const double              s)
+        {
+          const auto   point = space.locate(f, s);
+          Tensor<1, 3> x;
+          for (unsigned int i = 0; i < point.blocks.size(); ++i)
+            x += point.values[i] * state.fiber(f)[point.blocks[i]];
+          return x;
+        }
+
+
+
+        /**
+         * Direction of the centerline from two close particles: good to the
+         * millionth, and a picture asks for no more.
+         */
+        Tensor<1, 3>
+        direction(const System::FiberSpace &space,
+                  const System::State      &state,
+                  const unsigned int        f,
+                  const double              s)
+        {
+          const auto  &fiber = space.fiber(f);
+          const double step  = 1e-2 * fiber.radius;
+          const auto   chord =
+            position(space, state, f, std::min(s + step, fiber.length)) -
+            position(space, state, f, std::max(s - step, 0.));
+          return chord / chord.norm();
+        }
+
+
+
+        /** Zones are numbered per rank; return where this rank's begin. */
+        unsigned int
+        first_zone(const std::vector<Contact::ContactElement> &elements,
+                   const MPI_Comm                              communicator)
+        {
+          unsigned int n_zones = 0;
+          for (const auto &element : elements)
+            n_zones = std::max(n_zones, element.zone + 1);
+
+          unsigned int before = 0;
+          const int    ierr   = MPI_Exscan(
+            &n_zones, &before, 1, MPI_UNSIGNED, MPI_SUM, communicator);
+          AssertThrowMPI(ierr);
+          return before;
+        }
+      } // namespace ContactOutput
+    }   // namespace internal
+
+
+
+    ContactOutput::ContactOutput(const System::FiberSpace &space,
+                                 const std::string        &directory,
+                                 const unsigned int        resume_at)
+      : space(space)
+      , collection(directory, "contacts", space.communicator(), resume_at)
+    {
+    }
+
+
+
+    const std::vector<std::string> &
+    ContactOutput::fields()
+    {
+      static const std::vector<std::string> names = {"normal[3]",
+                                                     "gap",
+                                                     "penetration_ratio",
+                                                     "normal_force",
+                                                     "penalty",
+                                                     "weight",
+                                                     "contact_angle",
+                                                     "same_yarn",
+                                                     "fiber_id_a",
+                                                     "fiber_id_b",
+                                                     "zone_id"};
+      return names;
+    }
+
+
+
+    PatchFile<0>::Patch
+    ContactOutput::patch(const Contact::ContactElement &element,
+                         const System::State           &state,
+                         const unsigned int             zone_id) const
+    {
+      namespace helpers = internal::ContactOutput;
+
+      const auto  &a              = space.fiber(element.fiber_a);
+      const auto  &b              = space.fiber(element.fiber_b);
+      const double smaller_radius = std::min(a.radius, b.radius);
+      const double cosine         = std::min(
+        1.,
+        std::abs(
+          helpers::direction(space, state, element.fiber_a, element.s_a) *
+          helpers::direction(space, state, element.fiber_b, element.s_b)));
+
+      PatchFile<0>::Patch patch;
+      patch.vertices[0] = Point<3>(
+        0.5 * (helpers::position(space, state, element.fiber_a, element.s_a) +
+               helpers::position(space, state, element.fiber_b, element.s_b)));
+
+      const std::array<double, 13> values = {
+        {element.normal[0],
+         element.normal[1],
+         element.normal[2],
+         element.gap,
+         std::max(0., -element.gap) / smaller_radius,
+         element.force,
+         element.penalty,
+         element.weight,
+         std::acos(cosine) * 180. / numbers::PI,
+         a.yarn_id == b.yarn_id ? 1. : 0.,
+         static_cast<double>(element.fiber_a),
+         static_cast<double>(element.fiber_b),
+         static_cast<double>(zone_id)}};
+      patch.data.reinit(values.size(), 1);
+      for (unsigned int c = 0; c < values.size(); ++c)
+        patch.data(c, 0) = values[c];
+      return patch;
+    }
+
+
+
+    void
+    ContactOutput::write(const std::vector<Contact::ContactElement> &elements,
+                         const System::State                        &state,
+                         const unsigned int                          number,
+                         const double                                time,
+                         const std::string                          &stage)
+    {
+      const unsigned int first_zone =
+        internal::ContactOutput::first_zone(elements, space.communicator());
+
+      PatchFile<0> file(fields());
+      for (const auto &element : elements)
+        if (space.owns(element.fiber_a))
+          {
+            file.patches.push_back(
+              patch(element, state, first_zone + element.zone));
+            file.patches.back().patch_index = file.patches.size() - 1;
+          }
+      file.write(collection.path(number), space.communicator());
+      collection.add(number, time, stage);
+    }
+  } // namespace IO
+} // namespace Heddle

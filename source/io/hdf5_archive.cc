@@ -1,0 +1,431 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/io/hdf5_archive.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace Heddle
+{
+  namespace IO
+  {
+    using namespace dealii;
+
+    namespace internal
+    {
+      namespace Hdf5Archive
+      {
+        /** Records are read in pieces: a rank never holds the whole list. */
+        constexpr std::uint64_t rows_at_once = 1 << 16;
+
+
+
+        Hdf5Handle
+        collective_transfer()
+        {
+          const hid_t list = H5Pcreate(H5P_DATASET_XFER);
+          H5Pset_dxpl_mpio(list, H5FD_MPIO_COLLECTIVE);
+          return {list, H5Pclose, "prepare a collective transfer"};
+        }
+
+
+
+        Hdf5Handle
+        parallel_access(const MPI_Comm communicator)
+        {
+          const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
+          H5Pset_fapl_mpio(list, communicator, MPI_INFO_NULL);
+          return {list, H5Pclose, "prepare parallel access to a file"};
+        }
+
+
+
+        /** HDF5 tells of its errors in pages; ours are one sentence. */
+        void
+        silence()
+        {
+          H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        }
+
+
+
+        /** "contact/zones" makes the group "contact" if it is not there. */
+        Hdf5Handle
+        with_groups()
+        {
+          const hid_t list = H5Pcreate(H5P_LINK_CREATE);
+          H5Pset_create_intermediate_group(list, 1);
+          return {list, H5Pclose, "prepare groups"};
+        }
+
+
+
+        /** The rows [first, first + n) of a data set; none if n is zero. */
+        void
+        select_rows(const hid_t         space,
+                    const std::uint64_t first,
+                    const std::uint64_t n,
+                    const unsigned int  n_columns)
+        {
+          const hsize_t offset[2] = {first, 0};
+          const hsize_t count[2]  = {n, n_columns};
+          const herr_t  error =
+            (n == 0)
+               ? H5Sselect_none(space)
+               : H5Sselect_hyperslab(
+                  space, H5S_SELECT_SET, offset, nullptr, count, nullptr);
+          AssertThrow(error >= 0, ExcMessage("HDF5 cannot select rows."));
+        }
+      } // namespace Hdf5Archive
+    }   // namespace internal
+
+
+
+    Hdf5Handle::Hdf5Handle(const hid_t        id,
+                           const Close        close,
+                           const std::string &what)
+      : id(id)
+      , close(close)
+    {
+      AssertThrow(id >= 0, ExcMessage("HDF5 cannot " + what + "."));
+    }
+
+
+
+    Hdf5Handle::~Hdf5Handle()
+    {
+      close(id);
+    }
+
+
+
+    Hdf5Writer::Hdf5Writer(const std::string &path, const MPI_Comm communicator)
+      : path(path)
+      , beside(path + ".part")
+      , communicator(communicator)
+    {
+      internal::Hdf5Archive::silence();
+      const auto access = internal::Hdf5Archive::parallel_access(communicator);
+      file              = std::make_unique<Hdf5Handle>(
+        H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
+        H5Fclose,
+        "create the file \"" + beside + "\"");
+    }
+
+
+
+    Hdf5Writer::~Hdf5Writer()
+    {
+      if (file == nullptr)
+        return;
+      file.reset();
+      std::error_code nobody_is_left_to_tell;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        std::filesystem::remove(beside, nobody_is_left_to_tell);
+    }
+
+
+
+    void
+    Hdf5Writer::write_rows(const std::string  &name,
+                           const hid_t         type,
+                           const std::uint64_t first_row,
+                           const std::uint64_t n_my_rows,
+                           const std::uint64_t n_rows,
+                           const unsigned int  n_columns,
+                           const void         *values)
+    {
+      namespace helpers = internal::Hdf5Archive;
+
+      const std::string what     = "write \"" + name + "\" to " + beside;
+      const hsize_t     all[2]   = {n_rows, n_columns};
+      const hsize_t     mine[2]  = {n_my_rows, n_columns};
+      const auto        groups   = helpers::with_groups();
+      const auto        transfer = helpers::collective_transfer();
+
+      const Hdf5Handle space(H5Screate_simple(2, all, nullptr), H5Sclose, what);
+      const Hdf5Handle memory(
+        H5Screate_simple(2, mine, nullptr), H5Sclose, what);
+      const Hdf5Handle data(
+        H5Dcreate2(
+          *file, name.c_str(), type, space, groups, H5P_DEFAULT, H5P_DEFAULT),
+        H5Dclose,
+        what);
+      if (n_rows == 0)
+        return;
+
+      helpers::select_rows(space, first_row, n_my_rows, n_columns);
+      if (n_my_rows == 0)
+        H5Sselect_none(memory);
+      AssertThrow(
+        H5Dwrite(data, type, memory, space, transfer, values) >= 0,
+        ExcMessage("HDF5 cannot " + what + ": is there space on the disk?"));
+    }
+
+
+
+    void
+    Hdf5Writer::write(const std::string         &name,
+                      const std::uint64_t        first_row,
+                      const std::uint64_t        n_rows,
+                      const std::vector<double> &values,
+                      const unsigned int         n_columns)
+    {
+      Assert(values.size() % n_columns == 0,
+             ExcMessage("\"" + name + "\" has rows of unequal length."));
+      write_rows(name,
+                 H5T_NATIVE_DOUBLE,
+                 first_row,
+                 values.size() / n_columns,
+                 n_rows,
+                 n_columns,
+                 values.data());
+    }
+
+
+
+    void
+    Hdf5Writer::write(const std::string &name, const Records &records)
+    {
+      Records sorted = records;
+      sorted.sort();
+
+      const std::uint64_t n_mine = sorted.size();
+      std::uint64_t       first  = 0;
+      const int           ierr =
+        MPI_Exscan(&n_mine, &first, 1, MPI_UINT64_T, MPI_SUM, communicator);
+      AssertThrowMPI(ierr);
+      const std::uint64_t n = Utilities::MPI::sum(n_mine, communicator);
+
+      write_rows(name + "/keys",
+                 H5T_NATIVE_INT64,
+                 first,
+                 n_mine,
+                 n,
+                 records.n_key_parts,
+                 sorted.keys.data());
+      write_rows(name + "/values",
+                 H5T_NATIVE_DOUBLE,
+                 first,
+                 n_mine,
+                 n,
+                 records.n_values,
+                 sorted.values.data());
+    }
+
+
+
+    void
+    Hdf5Writer::write_number(const std::string &name, const double value)
+    {
+      const bool first_rank =
+        Utilities::MPI::this_mpi_process(communicator) == 0;
+      write_rows(name, H5T_NATIVE_DOUBLE, 0, first_rank ? 1 : 0, 1, 1, &value);
+    }
+
+
+
+    void
+    Hdf5Writer::write_text(const std::string &name, const std::string &text)
+    {
+      const bool first_rank =
+        Utilities::MPI::this_mpi_process(communicator) == 0;
+      write_rows(name,
+                 H5T_NATIVE_CHAR,
+                 0,
+                 first_rank ? text.size() : 0,
+                 text.size(),
+                 1,
+                 text.data());
+    }
+
+
+
+    void
+    Hdf5Writer::commit()
+    {
+      file.reset();
+      MPI_Barrier(communicator);
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        std::filesystem::rename(beside, path);
+      MPI_Barrier(communicator);
+    }
+
+
+
+    Hdf5Reader::Hdf5Reader(const std::string &path, const MPI_Comm communicator)
+      : path(path)
+      , communicator(communicator)
+    {
+      internal::Hdf5Archive::silence();
+
+      // Only one rank asks, so that all of them stop, or none.
+      int is_there = 0;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        is_there = std::filesystem::is_regular_file(path) &&
+                   H5Fis_hdf5(path.c_str()) > 0;
+      is_there = Utilities::MPI::broadcast(communicator, is_there);
+      require(is_there != 0,
+              "The checkpoint \"" + path +
+                "\" does not exist or is no complete HDF5 file.");
+
+      const auto access = internal::Hdf5Archive::parallel_access(communicator);
+      file              = std::make_unique<Hdf5Handle>(
+        H5Fopen(path.c_str(), H5F_ACC_RDONLY, access),
+        H5Fclose,
+        "open the file \"" + path + "\"");
+    }
+
+
+
+    bool
+    Hdf5Reader::has(const std::string &name) const
+    {
+      // HDF5 wants to be asked folder by folder.
+      for (auto end = name.find('/'); end != std::string::npos;
+           end      = name.find('/', end + 1))
+        if (H5Lexists(*file, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
+          return false;
+      return H5Lexists(*file, name.c_str(), H5P_DEFAULT) > 0;
+    }
+
+
+
+    std::uint64_t
+    Hdf5Reader::n_rows(const std::string &name) const
+    {
+      return shape(name)[0];
+    }
+
+
+
+    std::array<hsize_t, 2>
+    Hdf5Reader::shape(const std::string &name) const
+    {
+      require(has(name),
+              "The checkpoint \"" + path + "\" holds no \"" + name +
+                "\": it was written for another scene.");
+      const std::string what = "read \"" + name + "\" from " + path;
+      const Hdf5Handle  data(
+        H5Dopen2(*file, name.c_str(), H5P_DEFAULT), H5Dclose, what);
+      const Hdf5Handle space(H5Dget_space(data), H5Sclose, what);
+
+      std::array<hsize_t, 2> n = {{0, 0}};
+      AssertThrow(H5Sget_simple_extent_ndims(space) == 2 &&
+                    H5Sget_simple_extent_dims(space, n.data(), nullptr) == 2,
+                  ExcMessage("HDF5 cannot " + what + "."));
+      return n;
+    }
+
+
+
+    void
+    Hdf5Reader::read_rows(const std::string  &name,
+                          const hid_t         type,
+                          const std::uint64_t first_row,
+                          const std::uint64_t n_rows,
+                          const unsigned int  n_columns,
+                          void               *values) const
+    {
+      namespace helpers = internal::Hdf5Archive;
+
+      const auto n = shape(name);
+      require(n[1] == n_columns && first_row + n_rows <= n[0],
+              "The checkpoint \"" + path + "\" holds " + std::to_string(n[0]) +
+                " rows of " + std::to_string(n[1]) + " numbers of \"" + name +
+                "\", fewer or others than this scene needs.");
+      if (n[0] == 0)
+        return;
+
+      const std::string what     = "read \"" + name + "\" from " + path;
+      const hsize_t     mine[2]  = {n_rows, n_columns};
+      const auto        transfer = helpers::collective_transfer();
+      const Hdf5Handle  data(
+        H5Dopen2(*file, name.c_str(), H5P_DEFAULT), H5Dclose, what);
+      const Hdf5Handle space(H5Dget_space(data), H5Sclose, what);
+      const Hdf5Handle memory(
+        H5Screate_simple(2, mine, nullptr), H5Sclose, what);
+      helpers::select_rows(space, first_row, n_rows, n_columns);
+      if (n_rows == 0)
+        H5Sselect_none(memory);
+      AssertThrow(
+        H5Dread(data, type, memory, space, transfer, values) >= 0,
+        ExcMessage("HDF5 cannot " + what + ": the file may be damaged."));
+    }
+
+
+
+    std::vector<double>
+    Hdf5Reader::read(const std::string  &name,
+                     const std::uint64_t first_row,
+                     const std::uint64_t n_rows,
+                     const unsigned int  n_columns) const
+    {
+      std::vector<double> values(n_rows * n_columns);
+      read_rows(
+        name, H5T_NATIVE_DOUBLE, first_row, n_rows, n_columns, values.data());
+      return values;
+    }
+
+
+
+    Records
+    Hdf5Reader::read_records(
+      const std::string                               &name,
+      const std::function<bool(const std::int64_t *)> &wanted) const
+    {
+      const auto shape_keys   = shape(name + "/keys");
+      const auto shape_values = shape(name + "/values");
+
+      Records mine, piece;
+      mine.n_key_parts = piece.n_key_parts = shape_keys[1];
+      mine.n_values = piece.n_values = shape_values[1];
+      for (std::uint64_t first = 0; first < shape_keys[0];
+           first += internal::Hdf5Archive::rows_at_once)
+        {
+          const std::uint64_t n = std::min<std::uint64_t>(
+            internal::Hdf5Archive::rows_at_once, shape_keys[0] - first);
+          piece.keys.resize(n * piece.n_key_parts);
+          read_rows(name + "/keys",
+                    H5T_NATIVE_INT64,
+                    first,
+                    n,
+                    piece.n_key_parts,
+                    piece.keys.data());
+          piece.values = read(name + "/values", first, n, piece.n_values);
+          for (std::uint64_t i = 0; i < n; ++i)
+            if (wanted(piece.key(i)))
+              {
+                mine.keys.insert(mine.keys.end(),
+                                 piece.key(i),
+                                 piece.key(i) + piece.n_key_parts);
+                mine.values.insert(mine.values.end(),
+                                   piece.value(i),
+                                   piece.value(i) + piece.n_values);
+              }
+        }
+      mine.sort();
+      return mine;
+    }
+
+
+
+    double
+    Hdf5Reader::read_number(const std::string &name) const
+    {
+      return read(name, 0, 1)[0];
+    }
+
+
+
+    std::string
+    Hdf5Reader::read_text(const std::string &name) const
+    {
+      std::string text(shape(name)[0], ' ');
+      read_rows(name, H5T_NATIVE_CHAR, 0, text.size(), 1, &text[0]);
+      return text;
+    }
+  } // namespace IO
+} // namespace Heddle

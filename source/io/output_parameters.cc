@@ -1,0 +1,64 @@
+#include <heddle/io/output_parameters.h>
+
+namespace Heddle
+{
+  namespace IO
+  {
+    OutputParameters::OutputParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      add_parameter("Interval",
+                    interval,
+                    "Write fibers and contacts every so many load steps, and "
+                    "after the last step of each stage; 0: never, and nothing "
+                    "is computed for it [steps].",
+                    prm,
+                    Patterns::Integer(0));
+      add_parameter("Fibers",
+                    fibers,
+                    "Whether to write the fibers, with their strains and "
+                    "section forces, as lines (fibers.pvd) [-].");
+      add_parameter("Subdivisions",
+                    subdivisions,
+                    "Straight pieces by which the smooth centerline of one "
+                    "element is drawn; inactive without 'Fibers' [-].",
+                    prm,
+                    Patterns::Integer(1, 100));
+      add_parameter("Contacts",
+                    contacts,
+                    "Whether to write the contact elements, with gap, normal "
+                    "and force, as points (contacts.pvd) [-].");
+      add_parameter("Checkpoint interval",
+                    checkpoint_interval,
+                    "Save the state, for --resume, every so many load steps, "
+                    "and after the last step of each stage; 0: never [steps].",
+                    prm,
+                    Patterns::Integer(0));
+      add_parameter("Checkpoints kept",
+                    n_checkpoints,
+                    "How many of the last checkpoints stay on the disk; "
+                    "inactive if 'Checkpoint interval' is 0 [-].",
+                    prm,
+                    Patterns::Integer(1));
+    }
+
+
+
+    bool
+    OutputParameters::due(const unsigned int step,
+                          const bool         last_of_stage) const
+    {
+      return interval > 0 && (last_of_stage || step % interval == 0);
+    }
+
+
+
+    bool
+    OutputParameters::checkpoint_due(const unsigned int step,
+                                     const bool         last_of_stage) const
+    {
+      return checkpoint_interval > 0 &&
+             (last_of_stage || step % checkpoint_interval == 0);
+    }
+  } // namespace IO
+} // namespace Heddle

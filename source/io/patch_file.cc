@@ -1,0 +1,67 @@
+#include <heddle/base/file.h>
+#include <heddle/io/patch_file.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <filesystem>
+
+namespace Heddle
+{
+  namespace IO
+  {
+    template <int patch_dim>
+    PatchFile<patch_dim>::PatchFile(const std::vector<std::string> &fields)
+    {
+      const std::string suffix = "[3]";
+      for (const auto &field : fields)
+        {
+          const auto end = field.find(suffix);
+          if (end == std::string::npos)
+            component_names.push_back(field);
+          else
+            {
+              const std::string  name  = field.substr(0, end);
+              const unsigned int first = component_names.size();
+              component_names.insert(component_names.end(), 3, name);
+              vectors.emplace_back(
+                first,
+                first + 2,
+                name,
+                DataComponentInterpretation::component_is_part_of_vector);
+            }
+        }
+
+      // Dates would make every file differ from the last run's.
+      this->set_flags(DataOutBase::VtkFlags(
+        /*time=*/std::numeric_limits<double>::min(),
+        /*cycle=*/std::numeric_limits<unsigned int>::min(),
+        /*print_date_and_time=*/false,
+        DataOutBase::VtkFlags::best_speed));
+    }
+
+
+
+    template <int patch_dim>
+    void
+    PatchFile<patch_dim>::write(const std::string &path,
+                                const MPI_Comm     communicator)
+    {
+      const bool first_rank =
+        Utilities::MPI::this_mpi_process(communicator) == 0;
+      const std::string beside = path + ".part";
+
+      if (first_rank)
+        create_folder(std::filesystem::path(path).parent_path().string());
+      MPI_Barrier(communicator);
+      this->write_vtu_in_parallel(beside, communicator);
+      MPI_Barrier(communicator);
+      if (first_rank)
+        std::filesystem::rename(beside, path);
+    }
+
+
+
+    template class PatchFile<0>;
+    template class PatchFile<1>;
+  } // namespace IO
+} // namespace Heddle

@@ -1,0 +1,211 @@
+#include <heddle/system/fiber_space.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace Heddle
+{
+  namespace System
+  {
+    namespace internal
+    {
+      namespace FiberSpaceImplementation
+      {
+        /**
+         * Cut the fibers into one consecutive piece for each rank, with nodes
+         * spread as evenly as whole fibers allow.
+         */
+        std::vector<unsigned int>
+        partition(const std::vector<Fiber> &fibers,
+                  const unsigned int        n_nodes,
+                  const unsigned int        n_ranks)
+        {
+          std::vector<unsigned int> begin(n_ranks + 1, fibers.size());
+          begin[0]            = 0;
+          unsigned int rank   = 1;
+          double       so_far = 0.;
+          for (unsigned int f = 0; f < fibers.size(); ++f)
+            {
+              // A fiber goes to the rank in whose share its middle lies.
+              const double middle = so_far + 0.5 * fibers[f].n_nodes;
+              while (rank < n_ranks && middle * n_ranks >= double(n_nodes) * rank)
+                begin[rank++] = f;
+              so_far += fibers[f].n_nodes;
+            }
+          return begin;
+        }
+      } // namespace FiberSpaceImplementation
+    }   // namespace internal
+
+
+
+    FiberSpace::FiberSpace(const MPI_Comm                  communicator,
+                           std::unique_ptr<Beam::Element>  element,
+                           const std::vector<Description> &descriptions)
+      : mpi_communicator(communicator)
+      , beam_element(std::move(element))
+      , blocks_per_node(beam_element->n_blocks_per_node())
+      , this_rank(Utilities::MPI::this_mpi_process(communicator))
+      , total_nodes(0)
+    {
+      const unsigned int nodes_per_element = beam_element->n_nodes() - 1;
+      for (const Description &description : descriptions)
+        {
+          Fiber fiber;
+          fiber.first_node = total_nodes;
+          fiber.n_elements = description.element_lengths.size();
+          fiber.n_nodes    = fiber.n_elements * nodes_per_element + 1;
+          fiber.radius     = description.radius;
+          fiber.yarn_id    = description.yarn_id;
+          fiber.bundle_id  = description.bundle_id;
+          fiber.set        = description.set;
+          fiber.section    = description.section;
+
+          arc_lengths.push_back(0.);
+          double begin = 0.;
+          for (const double length : description.element_lengths)
+            {
+              for (unsigned int i = 1; i <= nodes_per_element; ++i)
+                arc_lengths.push_back(begin + i * length / nodes_per_element);
+              begin += length;
+            }
+          fiber.length = begin;
+          total_nodes += fiber.n_nodes;
+          fibers.push_back(fiber);
+        }
+      rank_begin = internal::FiberSpaceImplementation::partition(
+        fibers, total_nodes, Utilities::MPI::n_mpi_processes(communicator));
+    }
+
+
+
+    std::pair<unsigned int, unsigned int>
+    FiberSpace::owned_blocks() const
+    {
+      const auto begin_of = [this](const unsigned int f) {
+        return f < fibers.size() ? first_block(f) : n_blocks();
+      };
+      return {begin_of(rank_begin[this_rank]),
+              begin_of(rank_begin[this_rank + 1])};
+    }
+
+
+
+    double
+    FiberSpace::element_length(const unsigned int f, const unsigned int e) const
+    {
+      const unsigned int per_element = beam_element->n_nodes() - 1;
+      const double *     s           = node_positions(f);
+      return s[(e + 1) * per_element] - s[e * per_element];
+    }
+
+
+
+    unsigned int
+    FiberSpace::interval(const unsigned int f, const double s) const
+    {
+      const double *     knots = node_positions(f);
+      const unsigned int last  = fibers[f].n_nodes - 2;
+
+      // Nearly all fibers have equal elements: this guess is then right.
+      unsigned int i = std::min<unsigned int>(
+        last, static_cast<unsigned int>(s / fibers[f].length * (last + 1)));
+      while (i > 0 && s < knots[i])
+        --i;
+      while (i < last && s >= knots[i + 1])
+        ++i;
+      return i;
+    }
+
+
+
+    std::array<std::pair<unsigned int, double>, 3>
+    FiberSpace::tangent_weights(const unsigned int f,
+                                const unsigned int node) const
+    {
+      const double *     s = node_positions(f);
+      const unsigned int n = fibers[f].n_nodes;
+      if (n == 2)
+        {
+          const double slope = 1. / s[1];
+          return {{{0, -slope}, {1, slope}, {1, 0.}}};
+        }
+
+      // The derivative at `node` of the parabola through three nodes; at the
+      // ends, the three first or last ones.
+      const unsigned int i = std::min(std::max(node, 1u), n - 2);
+      const double       a = s[i - 1], b = s[i], c = s[i + 1], x = s[node];
+      return {{{i - 1, (2. * x - b - c) / ((a - b) * (a - c))},
+               {i, (2. * x - a - c) / ((b - a) * (b - c))},
+               {i + 1, (2. * x - a - b) / ((c - a) * (c - b))}}};
+    }
+
+
+
+    MaterialPoint
+    FiberSpace::locate(const unsigned int f, const double s) const
+    {
+      const double *     knots  = node_positions(f);
+      const unsigned int i      = interval(f, s);
+      const double       length = knots[i + 1] - knots[i];
+      const double       t      = (s - knots[i]) / length;
+
+      // Cubic Hermite shape values; slopes are per arc length.
+      const double position_0 = (1. + 2. * t) * (1. - t) * (1. - t);
+      const double position_1 = t * t * (3. - 2. * t);
+      const double slope_0    = length * t * (1. - t) * (1. - t);
+      const double slope_1    = -length * t * t * (1. - t);
+
+      if (blocks_per_node == 2)
+        return {{2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3},
+                {position_0, slope_0, position_1, slope_1}};
+
+      const unsigned int first =
+        (fibers[f].n_nodes < 4) ?
+          0 :
+          std::min(std::max(i, 1u) - 1, fibers[f].n_nodes - 4);
+      MaterialPoint point;
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          // A fiber of two or three nodes repeats its last one, weight zero.
+          point.blocks[k] =
+            blocks_per_node * std::min(first + k, fibers[f].n_nodes - 1);
+          point.values[k] = 0.;
+        }
+      point.values[i - first] += position_0;
+      point.values[i + 1 - first] += position_1;
+      for (const auto &weight : tangent_weights(f, i))
+        point.values[weight.first - first] += slope_0 * weight.second;
+      for (const auto &weight : tangent_weights(f, i + 1))
+        point.values[weight.first - first] += slope_1 * weight.second;
+      return point;
+    }
+
+
+
+    void
+    FiberSpace::centerline_knots(const unsigned int  f,
+                                 const Tensor<1, 3> *blocks,
+                                 Tensor<1, 3> *      positions,
+                                 Tensor<1, 3> *      tangents) const
+    {
+      const unsigned int n = fibers[f].n_nodes;
+      for (unsigned int i = 0; i < n; ++i)
+        positions[i] = blocks[blocks_per_node * i];
+      if (blocks_per_node == 2)
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            tangents[i] = blocks[2 * i + 1];
+          return;
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          tangents[i] = 0.;
+          for (const auto &weight : tangent_weights(f, i))
+            tangents[i] += weight.second * positions[weight.first];
+        }
+    }
+  } // namespace System
+} // namespace Heddle
