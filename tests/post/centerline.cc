@@ -1,6 +1,6 @@
 // Sampled between its nodes, the centerline of a fiber that lies on a circle
-// stays on the circle, for both elements, and rank 0 gets those of all ranks in
-// their order.
+// stays on the circle and its points equally far from each other, for both
+// elements, and rank 0 gets those of all ranks in their order.
 #include <heddle/post/centerline.h>
 #include <heddle/simulation/fiber_placement.h>
 
@@ -48,17 +48,19 @@ print(const std::string &element)
 
   for (const Post::Polyline &line : Post::gather_centerlines(state, 5))
     {
-      double smallest = 1e300, largest = 0.;
-      for (const Tensor<1, 3> &point : line)
+      double off = 0., uneven = 0.;
+      for (unsigned int i = 1; i < line.size(); ++i)
         {
-          smallest = std::min(smallest, point.norm());
-          largest  = std::max(largest, point.norm());
+          const double radius = line[0].norm();
+          const double chord  = 0.5 * numbers::PI * radius / (line.size() - 1);
+          off    = std::max(off, std::abs(line[i].norm() / radius - 1.));
+          uneven = std::max(
+            uneven, std::abs((line[i] - line[i - 1]).norm() / chord - 1.));
         }
       deallog << element << ": " << line.size() << " points, from "
-              << line.front().norm() << ", distance from the axis uneven by "
-              << (largest - smallest < 1e-3 * largest ? "less than 1e-3"
-                                                      : "more")
-              << std::endl;
+              << line.front().norm() << ", off the circle by "
+              << (off < 1e-3 ? "less than 1e-3" : "more") << ", uneven by "
+              << (uneven < 2e-2 ? "less than 2e-2" : "more") << std::endl;
     }
 }
 
