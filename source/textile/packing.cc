@@ -19,28 +19,6 @@ namespace Heddle
 
 
 
-      void
-      check(const Packing &packing)
-      {
-        const auto refuse = [](const std::string &sentence) {
-          throw InputError("Packing of a yarn: " + sentence);
-        };
-        if (packing.n_fibers() == 0)
-          refuse("it has no fibers; give at least one bundle of one fiber.");
-        if (!(packing.radius > 0.) || !std::isfinite(packing.radius))
-          refuse("the fiber radius is " + std::to_string(packing.radius) +
-                 " mm; it must be positive.");
-        if (!(packing.spacing >= 2.) || !std::isfinite(packing.spacing))
-          refuse("the spacing is " + std::to_string(packing.spacing) +
-                 " fiber radii, so that neighbours overlap; give at least 2.");
-        if (!(packing.perturbation >= 0. && packing.perturbation <= 1.))
-          refuse("the perturbation is " + std::to_string(packing.perturbation) +
-                 "; it must lie between 0 and 1, beyond which neighbours may "
-                 "overlap.");
-      }
-
-
-
       /** Staggered rows on a lattice of spacing 1, bundles side by side. */
       std::vector<Point<2>>
       rows(const unsigned int n_bundles, const unsigned int n_fibers)
@@ -169,10 +147,32 @@ namespace Heddle
 
 
 
+    void
+    check_packing(const Packing &packing, const std::string &where)
+    {
+      const auto refuse = [&](const std::string &sentence) {
+        throw InputError(where + ": " + sentence);
+      };
+      if (packing.n_fibers() == 0)
+        refuse("a yarn has no fibers; give at least one bundle of one fiber.");
+      if (!(packing.radius > 0.) || !std::isfinite(packing.radius))
+        refuse("the fiber radius is " + std::to_string(packing.radius) +
+               " mm; it must be positive.");
+      if (!(packing.spacing >= 2.) || !std::isfinite(packing.spacing))
+        refuse("the spacing is " + std::to_string(packing.spacing) +
+               " fiber radii, so that neighbours overlap; give at least 2.");
+      if (!(packing.perturbation >= 0. && packing.perturbation <= 1.))
+        refuse("the perturbation is " + std::to_string(packing.perturbation) +
+               "; it must lie between 0 and 1, beyond which neighbours may "
+               "overlap.");
+    }
+
+
+
     YarnSection
     pack_yarn(const Packing &packing, const unsigned int yarn)
     {
-      check(packing);
+      check_packing(packing, "Packing of a yarn");
 
       YarnSection section;
       section.positions =

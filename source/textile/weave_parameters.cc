@@ -52,9 +52,11 @@ namespace Heddle
                     "Height of the yarn axes at the crossings over a quarter "
                     "of the sum of a warp and a weft yarn's heights, 0 to 100. "
                     "At 1 flat ribbons would just touch; wide yarns close to "
-                    "each other need up to 4. 0: the smallest at which no warp "
-                    "fiber touches a weft fiber. Inactive unless Start is "
-                    "'crimped' [-].",
+                    "each other need about 2 to have every fiber on its side "
+                    "of every other, and 4 to be clear of each other. 0: the "
+                    "smallest at which no warp fiber touches a weft fiber or, "
+                    "if there is none up to 6, at which all are on their "
+                    "side. Inactive unless Start is 'crimped' [-].",
                     prm,
                     Patterns::Double(0., 100.));
       add_parameter("Crimp transition",

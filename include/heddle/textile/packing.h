@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace Heddle
@@ -73,13 +74,22 @@ namespace Heddle
 
 
     /**
+     * Throw an InputError that begins with @p where if the packing has no
+     * fibers, a radius that is not positive, a spacing below 2 or a
+     * perturbation outside [0,1].
+     */
+    void
+    check_packing(const Packing &packing, const std::string &where);
+
+
+
+    /**
      * Return the section of yarn number @p yarn. No two fibers overlap. The
      * random shifts depend on the seed, the yarn and the fiber alone, so every
      * rank and every standard library gives the same ones. Width, height and
      * radius are those of the unperturbed section and equal for all yarns.
      *
-     * Throws InputError if the packing has no fibers, a radius that is not
-     * positive, a spacing below 2 or a perturbation outside [0,1].
+     * @pre check_packing() accepts the packing.
      */
     YarnSection
     pack_yarn(const Packing &packing, const unsigned int yarn);

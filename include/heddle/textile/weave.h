@@ -4,12 +4,12 @@
 #include <heddle/textile/curve.h>
 #include <heddle/textile/fiber_path.h>
 #include <heddle/textile/packing.h>
+#include <heddle/textile/weave_description.h>
 #include <heddle/textile/weave_pattern.h>
 #include <heddle/textile/yarn_axis.h>
 
 #include <deal.II/base/point.h>
 
-#include <string>
 #include <vector>
 
 namespace Heddle
@@ -17,60 +17,6 @@ namespace Heddle
   namespace Textile
   {
     using namespace dealii;
-
-    /** From which geometry the initial configuration is computed. */
-    enum class Start
-    {
-      /** Straight yarns, all in one plane, running through each other. */
-      interpenetrating,
-      /** Yarns bent over and under each other, clear of each other. */
-      crimped
-    };
-
-
-
-    /** All the warp yarns, or all the weft yarns. */
-    struct YarnFamily
-    {
-      unsigned int n_yarns = 4;
-      Packing      packing;
-
-      /** Turns of the fibers about the yarn per length of the fabric [1/mm]. */
-      double twist = 0.;
-
-      /**
-       * Distance between the axes of neighbouring yarns [mm]; 0: the width of
-       * the yarn and 0.8 times the height of the yarns that pass between.
-       */
-      double spacing = 0.;
-    };
-
-
-
-    /** A woven sample, as the user describes it. */
-    struct WeaveDescription
-    {
-      std::string pattern = "plain";
-      YarnFamily  warp;
-      YarnFamily  weft;
-
-      /** Yarn beyond its last crossing, in spacings of those it crosses [-]. */
-      double end_length = 0.5;
-
-      Start start = Start::crimped;
-
-      /**
-       * Height of the yarn axes at the crossings of the crimped start, over a
-       * quarter of the sum of both yarns' heights; 0: the smallest at which the
-       * yarns are clear of each other [-].
-       */
-      double crimp_factor = 0.;
-
-      /** Part of the spacing over which a yarn changes its side, (0,1] [-]. */
-      double crimp_transition = 1.;
-    };
-
-
 
     /** Where a warp yarn and a weft yarn cross. */
     struct Crossing
@@ -89,20 +35,23 @@ namespace Heddle
      * the origin. Yarns are numbered warp first, from low to high y, then weft,
      * from low to high x; fibers yarn by yarn, bundle by bundle.
      *
-     * The crimped start bends each yarn along a YarnAxis. The section of the
-     * yarn stays normal to its axis if the yarns get clear of each other so, at
-     * up to twice the height at which they would just touch if they were flat
-     * ribbons: then fibers of one yarn are as far from each other as in the
-     * straight yarn. Wide yarns close to each other leave no room for this;
-     * their sections stay upright, every fiber has the same height curve, and
-     * fibers of one yarn come up to about half a radius too close on the slope.
+     * The crimped start bends each yarn along a YarnAxis. The sections of the
+     * yarn stay normal to it if the yarns get clear of each other so, at up to
+     * 1.5 times the height at which flat ribbons would just touch. Then fibers
+     * of one yarn keep the distance that they have in the straight yarn, as
+     * long as the axis is not bent more sharply than the yarn is thick. Wide
+     * yarns close to each other leave no room for this: their sections stay
+     * upright, every fiber follows the same height curve, and fibers of one
+     * yarn come up to half a radius too close to each other on the slope. Where
+     * not even this gets them clear, the edges of crossing yarns overlap, but
+     * every fiber starts on its side of every other.
      */
     class Weave
     {
     public:
       /**
        * Throws InputError if the description is impossible, or if no crimp up
-       * to six times the flat one gets the yarns clear of each other.
+       * to six times the flat one gets the yarns past each other.
        */
       explicit Weave(const WeaveDescription &description);
 
@@ -149,6 +98,10 @@ namespace Heddle
         return normal_sections;
       }
 
+      /** Whether no warp fiber touches a weft fiber. */
+      bool
+      is_clear() const;
+
     private:
       enum Direction
       {
@@ -162,11 +115,7 @@ namespace Heddle
         return direction == warp ? description.warp : description.weft;
       }
 
-      /** Check what concerns one family alone. */
-      void
-      check(const Direction direction) const;
-
-      /** Fix spacings and lengths. */
+      /** Fix sections, spacings and lengths. */
       void
       lay_out();
 
@@ -174,9 +123,23 @@ namespace Heddle
       void
       find_crimp();
 
-      /** Whether no warp fiber touches a weft fiber as things stand. */
+      /**
+       * Try crimp factors from @p smallest to @p largest, with sections normal
+       * to the axis or upright, until @p goal is reached; tell whether it was.
+       */
       bool
-      is_clear() const;
+      raise_until(bool (Weave::*goal)() const,
+                  const bool   normal,
+                  const double smallest,
+                  const double largest);
+
+      /**
+       * Whether each warp fiber passes each weft fiber on its side, by half the
+       * distance at which they would touch or more, as things stand.
+       * @pre The sections are upright.
+       */
+      bool
+      is_in_order() const;
 
       /** Position across the fabric of yarn number @p i of its family [mm]. */
       double

@@ -1,7 +1,7 @@
 #ifndef heddle_textile_weave_parameters_h
 #define heddle_textile_weave_parameters_h
 
-#include <heddle/textile/weave.h>
+#include <heddle/textile/weave_description.h>
 
 #include <deal.II/base/parameter_acceptor.h>
 

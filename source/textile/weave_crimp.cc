@@ -1,0 +1,112 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/textile/clearance.h>
+#include <heddle/textile/weave.h>
+
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Textile
+  {
+    void
+    Weave::find_crimp()
+    {
+      const double asked = description.crimp_factor;
+      if (asked > 0.)
+        {
+          // Upright sections leave more room if the height does not suffice.
+          if (!raise_until(&Weave::is_clear, /*normal=*/true, asked, asked))
+            raise_until(&Weave::is_clear, /*normal=*/false, asked, asked);
+          return;
+        }
+      if (!raise_until(&Weave::is_clear, /*normal=*/true, 1., 1.5) &&
+          !raise_until(&Weave::is_clear, /*normal=*/false, 1., 6.) &&
+          !raise_until(&Weave::is_in_order, /*normal=*/false, 1., 6.))
+        throw InputError(
+          "Weave: no crimp gets the yarns past each other at spacings of " +
+          std::to_string(spacings[warp]) + " mm (warp) and " +
+          std::to_string(spacings[weft]) + " mm (weft) for yarns " +
+          std::to_string(sections[warp].width) + " mm and " +
+          std::to_string(sections[weft].width) +
+          " mm wide; enlarge the spacing, pack the yarns hexagonally, or start "
+          "from interpenetrating yarns.");
+    }
+
+
+
+    bool
+    Weave::raise_until(bool (Weave::*goal)() const,
+                       const bool   normal,
+                       const double smallest,
+                       const double largest)
+    {
+      normal_sections = normal;
+      for (double factor = smallest; factor <= largest; factor *= 1.05)
+        {
+          crimp_amplitude =
+            factor * 0.25 * (sections[warp].height + sections[weft].height);
+          if ((this->*goal)())
+            return true;
+        }
+      return false;
+    }
+
+
+
+    bool
+    Weave::is_clear() const
+    {
+      // One percent for what the polygons cut off the curves.
+      const double needed = 1.01 * (description.warp.packing.radius +
+                                    description.weft.packing.radius);
+      return smallest_distance(
+               polylines(warp), polylines(weft), 2. * needed, needed) >= needed;
+    }
+
+
+
+    bool
+    Weave::is_in_order() const
+    {
+      const double needed = 0.5 * (description.warp.packing.radius +
+                                   description.weft.packing.radius);
+
+      std::vector<std::vector<Curve>> weft_yarns;
+      for (unsigned int j = 0; j < description.weft.n_yarns; ++j)
+        weft_yarns.push_back(fibers(weft, j));
+      for (unsigned int i = 0; i < description.warp.n_yarns; ++i)
+        for (const Curve &warp_fiber : fibers(warp, i))
+          for (unsigned int j = 0; j < weft_yarns.size(); ++j)
+            for (const Curve &weft_fiber : weft_yarns[j])
+              {
+                // Upright fibers run straight in the plane, but for the twist.
+                const double x    = weft_fiber(position(warp, i))[0];
+                const double y    = warp_fiber(position(weft, j))[1];
+                const double rise = warp_fiber(x)[2] - weft_fiber(y)[2];
+                if ((pattern.warp_on_top(i, j) ? rise : -rise) < needed)
+                  return false;
+              }
+      return true;
+    }
+
+
+
+    std::vector<std::vector<Tensor<1, 3>>>
+    Weave::polylines(const Direction direction) const
+    {
+      const double       half = 0.5 * lengths[direction];
+      const unsigned int n =
+        std::ceil(2. * lengths[direction] / family(direction).packing.radius);
+
+      std::vector<std::vector<Tensor<1, 3>>> lines;
+      for (unsigned int i = 0; i < family(direction).n_yarns; ++i)
+        for (const Curve &curve : fibers(direction, i))
+          {
+            lines.emplace_back();
+            for (unsigned int k = 0; k <= n; ++k)
+              lines.back().push_back(curve(half * (2. * k / n - 1.)));
+          }
+      return lines;
+    }
+  } // namespace Textile
+} // namespace Heddle

@@ -1,0 +1,66 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/textile/weave_description.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Textile
+  {
+    namespace
+    {
+      void
+      check_family(const YarnFamily &yarns, const std::string &where)
+      {
+        if (yarns.n_yarns == 0)
+          throw InputError(where + ": there are none; give at least one yarn.");
+        if (!(yarns.spacing >= 0.) || !std::isfinite(yarns.spacing))
+          throw InputError(where + ": the yarn spacing is " +
+                           std::to_string(yarns.spacing) +
+                           " mm; it must be positive, or 0 to be chosen.");
+        check_packing(yarns.packing, where);
+
+        // Sections normal to inclined fibers come closer than those that the
+        // packing sees, which are normal to the yarn.
+        const double tangent =
+          2. * numbers::PI * yarns.twist * pack_yarn(yarns.packing, 0).radius;
+        const double needed = 2. * std::sqrt(1. + tangent * tangent);
+        if (!(yarns.packing.spacing >= needed))
+          throw InputError(where + ": a twist of " +
+                           std::to_string(yarns.twist) +
+                           " turns per mm presses the fibers into each other; "
+                           "lower it, or raise the packing spacing from " +
+                           std::to_string(yarns.packing.spacing) +
+                           " to at least " + std::to_string(needed) + ".");
+      }
+    } // namespace
+
+
+
+    void
+    check_weave(const WeaveDescription &description)
+    {
+      check_family(description.warp, "Weave/Warp yarns");
+      check_family(description.weft, "Weave/Weft yarns");
+
+      const auto refuse = [](const std::string &what,
+                             const double       value,
+                             const std::string &allowed) {
+        throw InputError("Weave: the " + what + " is " + std::to_string(value) +
+                         "; it must " + allowed + ".");
+      };
+      // A number compares false with everything if it is not one.
+      const double end = description.end_length;
+      if (!(end >= 0. && end <= 10.))
+        refuse("end length", end, "lie between 0 and 10 spacings");
+      const double transition = description.crimp_transition;
+      if (!(transition > 0. && transition <= 1.))
+        refuse("crimp transition", transition, "be positive and at most 1");
+      const double factor = description.crimp_factor;
+      if (!(factor >= 0. && factor <= 100.))
+        refuse("crimp factor", factor, "lie between 0 (automatic) and 100");
+    }
+  } // namespace Textile
+} // namespace Heddle
