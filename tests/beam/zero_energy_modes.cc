@@ -2,7 +2,7 @@
 // body, from straight and from curved references. The Hermite element has the
 // five of a line without a spin about itself when it is straight; from a curved
 // reference nothing resists turning the plane of the curvature, and as many
-// modes cost energy as there are strains.
+// modes cost energy as there are strains, that of a shared node counted once.
 #include "random_element.h"
 #include <Eigen/Eigenvalues>
 
