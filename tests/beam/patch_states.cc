@@ -17,6 +17,9 @@ const std::array<double, 3> lengths = {{1., .4, .7}};
  */
 constexpr double small = 1e-6;
 
+/** Room for the terms of second order in small turns, at nu = 0.49. */
+constexpr double tolerance = 100. * small;
+
 
 
 /** The nodal blocks of an element from @p start to @p end. */
