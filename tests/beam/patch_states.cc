@@ -13,12 +13,11 @@ using Motion = std::function<std::array<Tensor<1, 3>, 3>(const double s)>;
 
 const std::array<double, 3> lengths = {{1., .4, .7}};
 
-/** Amplitude of bending and twist, whose patch states are those of small turns.
- */
-constexpr double small = 1e-6;
+/** Amplitude of bending and twist: these are patch states for small turns. */
+constexpr double small = 1e-7;
 
 /** Room for the terms of second order in small turns, at nu = 0.49. */
-constexpr double tolerance = 100. * small;
+constexpr double tolerance = 1000. * small;
 
 
 
