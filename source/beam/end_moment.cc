@@ -2,6 +2,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
+
 namespace Heddle
 {
   namespace Beam
@@ -58,10 +60,29 @@ namespace Heddle
 
 
 
+    Tensor<1, 3>
+    predict_end_moment(const Tensor<1, 3> &moment,
+                       const unsigned int  n_vectors,
+                       const Tensor<1, 3> *vectors,
+                       const Tensor<1, 3> *increment,
+                       const Tensor<1, 3> *predicted)
+    {
+      const Tensor<2, 3> inverse = invert(spin_matrix(n_vectors, vectors));
+      const Tensor<1, 3> m =
+        predicted != nullptr ? *predicted : inverse * moment;
+      Tensor<1, 3> rest = moment;
+      for (unsigned int a = 0; a < n_vectors; ++a)
+        rest -= spin_matrix_derivative(n_vectors, m, vectors[a]) * increment[a];
+      return inverse * rest;
+    }
+
+
+
     void
     end_moment(const Tensor<1, 3> &moment,
                const unsigned int  n_vectors,
                const Tensor<1, 3> *vectors,
+               const Tensor<1, 3> *predicted,
                double             *forces,
                double             *tangent)
     {
@@ -71,24 +92,27 @@ namespace Heddle
       const Tensor<2, 3> inverse = invert(spin_matrix(n_vectors, vectors));
       const Tensor<1, 3> m       = inverse * moment;
       for (unsigned int a = 0; a < n_vectors; ++a)
-        for (unsigned int i = 0; i < 3; ++i)
-          forces[3 * a + i] = cross_product_3d(m, vectors[a])[i];
+        {
+          const Tensor<1, 3> force = cross_product_3d(m, vectors[a]);
+          std::copy(force.begin_raw(), force.end_raw(), forces + 3 * a);
+        }
       if (tangent == nullptr)
         return;
 
       // df_a = m x dg_a + dm x g_a, where dm = -A^{-1} (dA) m.
-      const unsigned int n = 3 * n_vectors;
+      const Tensor<1, 3> dual = predicted != nullptr ? *predicted : m;
+      const unsigned int n    = 3 * n_vectors;
       for (unsigned int b = 0; b < n_vectors; ++b)
         {
           const Tensor<2, 3> dm =
-            -1. * inverse * spin_matrix_derivative(n_vectors, m, vectors[b]);
+            -1. * inverse * spin_matrix_derivative(n_vectors, dual, vectors[b]);
           for (unsigned int j = 0; j < 3; ++j)
             for (unsigned int a = 0; a < n_vectors; ++a)
               {
                 Tensor<1, 3> df =
                   cross_product_3d(transpose(dm)[j], vectors[a]);
                 if (a == b)
-                  df += cross_product_3d(m, unit_vector(j));
+                  df += cross_product_3d(dual, unit_vector(j));
                 for (unsigned int i = 0; i < 3; ++i)
                   tangent[(3 * a + i) * n + 3 * b + j] = df[i];
               }

@@ -31,9 +31,16 @@ namespace Heddle
      * derivative of the forces is then not symmetric, except when all turns are
      * about the direction of $M$.
      *
+     * <b>Newton with mixed integration points.</b> A large step stretches the
+     * vectors before it turns them, so $m$ is off by the square of the stretch.
+     * It is therefore predicted as the stresses of an element are, by
+     * predict_end_moment(), for the tangent only; the forces always use the
+     * true one.
+     *
      * @param[in]  moment    $M$ [N mm]
      * @param[in]  n_vectors 2 section vectors, or 1 tangent
      * @param[in]  vectors   the blocks of the node that follow its position
+     * @param[in]  predicted $m$ from predict_end_moment(), or null
      * @param[out] forces    3 n_vectors numbers
      * @param[out] tangent   derivative of the forces in the vectors, row by
      * row, 3 n_vectors squared numbers, or null
@@ -42,8 +49,22 @@ namespace Heddle
     end_moment(const Tensor<1, 3> &moment,
                const unsigned int  n_vectors,
                const Tensor<1, 3> *vectors,
+               const Tensor<1, 3> *predicted,
                double             *forces,
                double             *tangent);
+
+    /**
+     * Return $m$ of end_moment() after the step @p increment of the vectors,
+     * $m = A^{-1} (M - (dA)\, m)$, where the $m$ on the right is @p predicted,
+     * the one with which the step was computed, or the true one if that is
+     * null.
+     */
+    Tensor<1, 3>
+    predict_end_moment(const Tensor<1, 3> &moment,
+                       const unsigned int  n_vectors,
+                       const Tensor<1, 3> *vectors,
+                       const Tensor<1, 3> *increment,
+                       const Tensor<1, 3> *predicted);
   } // namespace Beam
 } // namespace Heddle
 
