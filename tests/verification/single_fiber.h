@@ -49,11 +49,11 @@ significant(const double x, const int digits = 2)
 
 
 
-/** An error in units of 1e-6. */
+/** An error in units of 1e-6: two digits, and none of the iteration's noise. */
 inline double
 micro(const double error)
 {
-  return significant(1e6 * error);
+  return significant(std::round(1e7 * error) / 10.);
 }
 
 
@@ -234,7 +234,7 @@ public:
       {
         const bool predicted = newton == Newton::mixed_points && iteration > 1;
         const auto increment = solve_once(force, moment, predicted);
-        predict(increment);
+        predict(increment, moment, predicted);
         double largest = 0.;
         for (unsigned int b = 0; b < blocks.size(); ++b)
           {
@@ -302,7 +302,7 @@ private:
     BandMatrix          matrix(n_unknowns(), 3 * element->n_blocks() - 1);
     std::vector<double> rhs(n_unknowns(), 0.);
     add_elements(predicted, matrix, rhs);
-    add_loads(force, moment, matrix, rhs);
+    add_loads(force, moment, predicted, matrix, rhs);
     for (unsigned int i = 0; i < n_unknowns(); ++i)
       if (fixed[i])
         {
@@ -347,6 +347,7 @@ private:
   void
   add_loads(const Tensor<1, 3>  &force,
             const Tensor<1, 3>  &moment,
+            const bool           predicted,
             BandMatrix          &matrix,
             std::vector<double> &rhs) const
   {
@@ -359,6 +360,7 @@ private:
     Heddle::Beam::end_moment(moment,
                              per_node - 1,
                              &blocks[blocks.size() - per_node + 1],
+                             predicted ? &predicted_moment : nullptr,
                              forces.data(),
                              tangent.data());
     for (unsigned int i = 0; i < n; ++i)
@@ -370,8 +372,18 @@ private:
   }
 
   void
-  predict(const std::vector<Tensor<1, 3>> &increment)
+  predict(const std::vector<Tensor<1, 3>> &increment,
+          const Tensor<1, 3>              &moment,
+          const bool                       predicted)
   {
+    const unsigned int last = blocks.size() - per_node + 1;
+    predicted_moment =
+      Heddle::Beam::predict_end_moment(moment,
+                                       per_node - 1,
+                                       &blocks[last],
+                                       &increment[last],
+                                       predicted ? &predicted_moment : nullptr);
+
     for (unsigned int e = 0; e < n_elements; ++e)
       {
         const unsigned int point = e * element->n_strains();
@@ -392,6 +404,7 @@ private:
   unsigned int                           stride;
   std::vector<double>                    reference_strains;
   std::vector<double>                    predicted_stresses;
+  Tensor<1, 3>                           predicted_moment;
   std::vector<bool>                      fixed;
 
 public:
