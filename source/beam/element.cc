@@ -4,6 +4,7 @@
 #include <heddle/beam/hermite_element.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace Heddle
 {
@@ -14,8 +15,11 @@ namespace Heddle
       void
       check(const bool condition, const std::string &what, const double value)
       {
-        if (!condition)
-          throw InputError(what + ", but it is " + std::to_string(value) + ".");
+        if (condition && std::isfinite(value))
+          return;
+        std::ostringstream sentence;
+        sentence << what << ", but it is " << value << '.';
+        throw InputError(sentence.str());
       }
     } // namespace
 

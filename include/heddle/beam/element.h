@@ -30,9 +30,10 @@ namespace Heddle
 
     /**
      * Return the constants of a full circle of radius @p radius [mm] for the
-     * axial modulus E [MPa], the shear modulus G [MPa] and Poisson's ratio, all
-     * positive, the ratio from 0 to below 0.5. Sections stay plane: the shear
-     * factor $k_s$ is 1 and $J = 2 I$. An InputError says which is wrong.
+     * axial modulus E [MPa], the shear modulus G [MPa] and Poisson's ratio.
+     * Radius and moduli are positive, the ratio is from 0 to below 0.5; an
+     * InputError says which is not. Sections stay plane: the shear factor
+     * $k_s$ is 1, and $J = 2 I$.
      */
     Section
     circular_section(const double radius,

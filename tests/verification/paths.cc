@@ -1,0 +1,97 @@
+// What a fiber answers depends on where it is, not on how it came there: the
+// same load in two or in six steps gives the same tip; back without load, no
+// energy is left; carried once around in steps of 30 degrees under a force that
+// turns along, the loaded fiber keeps its energy and comes back to its place.
+#include "single_fiber.h"
+
+const auto section =
+  Heddle::Beam::circular_section(/*radius=*/.01, 1., 1. / 2.6, .3);
+
+/** A force out of every plane of symmetry. */
+const Tensor<1, 3> force = Tensor<1, 3>({-.5, 2., 3.}) * section.bending;
+
+
+
+/** A third of a circle, so that the force twists it as well. */
+Frame
+arc(const double s)
+{
+  const double turn = 2. * M_PI / 3.;
+  const double c = std::cos(turn * s), d = std::sin(turn * s);
+  return {Tensor<1, 3>({d / turn, (1. - c) / turn, 0.}),
+          Tensor<1, 3>({c, d, 0.}),
+          Tensor<1, 3>({-d, c, 0.}),
+          Tensor<1, 3>({0., 0., 1.})};
+}
+
+
+
+/** Straight for the Hermite element, which has no torsion to hold an arc. */
+SingleFiber
+make_fiber(const Kind &kind)
+{
+  return SingleFiber(kind,
+                     section,
+                     kind.name == "hermite" ? straight_line : arc,
+                     /*length=*/1.,
+                     /*n_elements=*/8);
+}
+
+
+
+Tensor<1, 3>
+turned(const Tensor<1, 3> &x, const double angle)
+{
+  const double c = std::cos(angle), d = std::sin(angle);
+  return Tensor<1, 3>({c * x[0] - d * x[2], x[1], d * x[0] + c * x[2]});
+}
+
+
+
+/** Turn the clamp and the force; the rest of the fiber has to follow. */
+void
+carry_around(SingleFiber &fiber, const unsigned int n_clamped)
+{
+  const double       energy = fiber.energy();
+  const Tensor<1, 3> tip    = fiber.tip();
+  double             change = 0.;
+  unsigned int       most   = 0;
+  for (unsigned int step = 1; step <= 12; ++step)
+    {
+      for (unsigned int b = 0; b < n_clamped; ++b)
+        fiber.blocks[b] = turned(fiber.blocks[b], M_PI / 6.);
+      most   = std::max(most, fiber.solve(turned(force, step * M_PI / 6.)));
+      change = std::max(change, std::abs(fiber.energy() / energy - 1.));
+    }
+  const double error = (fiber.tip() - tip).norm();
+  deallog << ", turned: energy kept " << (change < 1e-6) << ", tip back "
+          << (error < 1e-7) << ", most iterations " << most
+          << verdict(change < 1e-6 && error < 1e-7);
+}
+
+
+
+int
+main()
+{
+  initlog();
+  for (const Kind &kind : all_elements)
+    {
+      SingleFiber two = make_fiber(kind), six = make_fiber(kind);
+      for (unsigned int step = 1; step <= 2; ++step)
+        two.solve(step / 2. * force);
+      for (unsigned int step = 1; step <= 6; ++step)
+        six.solve(step / 6. * force);
+      const double distance = (two.tip() - six.tip()).norm();
+      const double loaded   = two.energy();
+      deallog << kind.name << ' ' << kind.degree << ": same tip "
+              << (distance < 1e-8) << verdict(distance < 1e-8);
+
+      carry_around(six, kind.name == "hermite" ? 2 : 3);
+
+      two.solve(.5 * force);
+      two.solve(Tensor<1, 3>());
+      deallog << ", unloaded: energy left " << (two.energy() > 1e-12 * loaded)
+              << verdict(two.energy() < 1e-12 * loaded) << std::endl;
+    }
+}
