@@ -40,7 +40,7 @@ struct WavyFabric
     const double       along = length * t;
     const double       across =
       yarn_spacing * (yarn % 2 + 0.5) + out * std::cos(turn);
-    const double phase = dealii::numbers::PI * (along / yarn_spacing - 0.5);
+    const double phase = dealii::numbers::PI * along / yarn_spacing;
     const double up    = wave(yarn) * std::sin(phase) + out * std::sin(turn);
     return (yarn < 2) ? dealii::Tensor<1, 3>({along, across, up})
                       : dealii::Tensor<1, 3>({across, along, up});
