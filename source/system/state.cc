@@ -31,6 +31,7 @@ namespace Heddle
       for (const unsigned int f : ghosts)
         local_begin[f] = absent;
       ghosts = fibers;
+      ++version;
 
       std::map<unsigned int, std::vector<unsigned int>> wanted;
       unsigned int                                      end = owned_blocks;

@@ -30,7 +30,9 @@ namespace Heddle
 
     /**
      * Return the constants of a full circle of radius @p radius [mm] for the
-     * axial modulus E [MPa], the shear modulus G [MPa] and Poisson's ratio.
+     * axial modulus E [MPa], the shear modulus G [MPa] and Poisson's ratio, all
+     * positive, the ratio from 0 to below 0.5. Sections stay plane: the shear
+     * factor $k_s$ is 1 and $J = 2 I$. An InputError says which is wrong.
      */
     Section
     circular_section(const double radius,
@@ -86,7 +88,7 @@ namespace Heddle
       virtual void
       strains(const Tensor<1, 3> *blocks,
               const double        length,
-              double *            strains) const = 0;
+              double             *strains) const = 0;
 
       /**
        * Predict the stresses after the step @p increment of the unknowns,
@@ -95,12 +97,12 @@ namespace Heddle
        * integration points: Magisano, Leonetti and Garcea, 2017).
        */
       virtual void
-      predict_stresses(const Section &     section,
+      predict_stresses(const Section      &section,
                        const Tensor<1, 3> *blocks,
                        const Tensor<1, 3> *increment,
                        const double        length,
-                       const double *      reference_strains,
-                       double *            stresses) const = 0;
+                       const double       *reference_strains,
+                       double             *stresses) const = 0;
 
       /**
        * Return the elastic energy [N mm] and, where the pointers are not null,
@@ -110,13 +112,13 @@ namespace Heddle
        * stresses if that is null; the residual always uses the true ones.
        */
       virtual double
-      assemble(const Section &     section,
+      assemble(const Section      &section,
                const Tensor<1, 3> *blocks,
                const double        length,
-               const double *      reference_strains,
-               const double *      predicted_stresses,
-               double *            residual,
-               double *            tangent) const = 0;
+               const double       *reference_strains,
+               const double       *predicted_stresses,
+               double             *residual,
+               double             *tangent) const = 0;
 
       /**
        * Strains and section forces at the middle of the element, for output,
@@ -127,18 +129,18 @@ namespace Heddle
         double       axial_strain = 0.; /**< [-] */
         Tensor<1, 2> shear_strain;      /**< [-] */
         double       twist = 0.;        /**< [1/mm] */
-        Tensor<1, 2> curvature;         /**< [1/mm]; first: magnitude if torsion-free */
-        double       axial_force = 0.;  /**< [N] */
-        Tensor<1, 2> shear_force;       /**< [N] */
-        double       torque = 0.;       /**< [N mm] */
-        Tensor<1, 2> bending_moment;    /**< [N mm] */
+        Tensor<1, 2> curvature; /**< [1/mm]; first: magnitude if torsion-free */
+        double       axial_force = 0.; /**< [N] */
+        Tensor<1, 2> shear_force;      /**< [N] */
+        double       torque = 0.;      /**< [N mm] */
+        Tensor<1, 2> bending_moment;   /**< [N mm] */
       };
 
       virtual SectionState
-      section_state(const Section &     section,
+      section_state(const Section      &section,
                     const Tensor<1, 3> *blocks,
                     const double        length,
-                    const double *      reference_strains) const = 0;
+                    const double       *reference_strains) const = 0;
 
       /** Elastic energy [N mm], split by the strain that stores it. */
       struct EnergySplit
@@ -151,15 +153,16 @@ namespace Heddle
       };
 
       virtual EnergySplit
-      energy_split(const Section &     section,
+      energy_split(const Section      &section,
                    const Tensor<1, 3> *blocks,
                    const double        length,
-                   const double *      reference_strains) const = 0;
+                   const double       *reference_strains) const = 0;
     };
 
     /**
      * Return the element of the given @p name ("hermite" or "director") and
-     * @p degree (1, 2 or 3; ignored by "hermite", which is cubic).
+     * @p degree (1, 2 or 3; ignored by "hermite", which is cubic). An
+     * InputError says what else was found.
      */
     std::unique_ptr<Element>
     make_element(const std::string &name, const unsigned int degree);

@@ -1,9 +1,11 @@
 #ifndef heddle_system_fiber_space_h
 #define heddle_system_fiber_space_h
 
+#include <heddle/beam/element.h>
+
 #include <deal.II/base/tensor.h>
 
-#include <heddle/beam/element.h>
+#include <mpi.h>
 
 #include <algorithm>
 #include <array>
@@ -11,8 +13,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <mpi.h>
 
 namespace Heddle
 {
@@ -34,14 +34,14 @@ namespace Heddle
     /** What the space keeps of one fiber, on every rank. */
     struct Fiber
     {
-      unsigned int first_node; /**< global number of its first node */
-      unsigned int n_nodes;
-      unsigned int n_elements;
-      double       length; /**< reference length [mm] */
-      double       radius; /**< [mm] */
-      unsigned int yarn_id;
-      unsigned int bundle_id;
-      std::string  set;
+      unsigned int  first_node; /**< global number of its first node */
+      unsigned int  n_nodes;
+      unsigned int  n_elements;
+      double        length; /**< reference length [mm] */
+      double        radius; /**< [mm] */
+      unsigned int  yarn_id;
+      unsigned int  bundle_id;
+      std::string   set;
       Beam::Section section;
     };
 
@@ -198,18 +198,18 @@ namespace Heddle
       void
       centerline_knots(const unsigned int  f,
                        const Tensor<1, 3> *blocks,
-                       Tensor<1, 3> *      positions,
-                       Tensor<1, 3> *      tangents) const;
+                       Tensor<1, 3>       *positions,
+                       Tensor<1, 3>       *tangents) const;
 
       /** Return the i with node i <= s < node i + 1 of fiber @p f. */
       unsigned int
       interval(const unsigned int f, const double s) const;
 
-    private:
       /** Weights by which three nodal positions give the tangent of node i. */
       std::array<std::pair<unsigned int, double>, 3>
       tangent_weights(const unsigned int f, const unsigned int node) const;
 
+    private:
       const MPI_Comm                       mpi_communicator;
       const std::unique_ptr<Beam::Element> beam_element;
       const unsigned int                   blocks_per_node;

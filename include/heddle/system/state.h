@@ -1,9 +1,9 @@
 #ifndef heddle_system_state_h
 #define heddle_system_state_h
 
-#include <deal.II/base/tensor.h>
-
 #include <heddle/system/fiber_space.h>
+
+#include <deal.II/base/tensor.h>
 
 #include <vector>
 
@@ -63,6 +63,13 @@ namespace Heddle
         return owned_blocks;
       }
 
+      /** Grows whenever the ghosts, and with them local numbers, change. */
+      unsigned int
+      ghost_version() const
+      {
+        return version;
+      }
+
       /** Fibers whose copies are held, in ascending order. */
       const std::vector<unsigned int> &
       ghost_fibers() const
@@ -90,6 +97,13 @@ namespace Heddle
       /** Add @p factor times @p increment (n_local_blocks() entries). */
       void
       move(const double factor, const std::vector<Tensor<1, 3>> &increment);
+
+      /** Go to the configuration @p values (n_local_blocks() entries). */
+      void
+      set(const std::vector<Tensor<1, 3>> &values)
+      {
+        blocks = values;
+      }
 
       /** Keep the current configuration; return to the one kept. */
       void
@@ -119,6 +133,7 @@ namespace Heddle
       static constexpr unsigned int absent = static_cast<unsigned int>(-1);
 
       unsigned int              owned_blocks;
+      unsigned int              version = 0;
       std::vector<Tensor<1, 3>> blocks;
       std::vector<Tensor<1, 3>> accepted_blocks;
       std::vector<unsigned int> local_begin;

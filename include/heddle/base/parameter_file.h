@@ -1,0 +1,111 @@
+#ifndef heddle_base_parameter_file_h
+#define heddle_base_parameter_file_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  using namespace dealii;
+
+  class DeclaredParameters;
+
+  /**
+   * The text of a parameter file, statement by statement, and what the command
+   * line sets on top of it.
+   *
+   * The file is read before the parameters are declared, for two reasons: a
+   * list in a parameter file is a sequence of numbered sections, *Support 1*,
+   * *Support 2*, and so on, whose number decides how many objects there are to
+   * declare parameters; and each error can be traced to its file and line. The
+   * sequence is therefore
+   * @code
+   *   const ParameterFile file("scene.prm");
+   *   // construct as many objects as file.count_sections() says
+   *   file.apply();
+   * @endcode
+   *
+   * A file is what deal.II's ParameterHandler reads: `subsection`, `end`, `set
+   * Name = value`, `include`, comments from # on, and lines continued by a
+   * backslash. Files are included relative to the file that names them.
+   */
+  class ParameterFile
+  {
+  public:
+    /** Read the file @p name and all that it includes, or throw InputError. */
+    ParameterFile(const std::string &name);
+
+    /**
+     * Set one more parameter, after those of the file. @p assignment is a text
+     * like "Contact/Friction/Coefficient=0.3".
+     */
+    void
+    set(const std::string &assignment);
+
+    /**
+     * Return the largest N for which there is a section "@p name N" inside the
+     * section @p path, as in count_sections("/Supports", "Support").
+     */
+    unsigned int
+    count_sections(const std::string &path, const std::string &name) const;
+
+    /** Return whether there is a section or a parameter @p path. */
+    bool
+    mentions(const std::string &path) const;
+
+    /**
+     * Declare the parameters of all objects that accept some, give them the
+     * values of this file, and let the objects check them. Throw InputError
+     * for an unknown name, for a value outside what is allowed, and for
+     * whatever the objects complain about.
+     */
+    void
+    apply(ParameterHandler &prm = ParameterAcceptor::prm) const;
+
+    /** Return the name of the file. */
+    const std::string &
+    name() const;
+
+    /** Return the file as it was read, without what it includes. */
+    const std::string &
+    text() const;
+
+  private:
+    /** A `subsection` or a `set`, with where it was found. */
+    struct Statement
+    {
+      std::string              where;
+      std::vector<std::string> path;
+      std::string              name; /**< empty for a subsection */
+      std::string              value;
+    };
+
+    /** Throw InputError if the statement is about nothing that is declared. */
+    static void
+    check(const Statement &statement, const DeclaredParameters &declared);
+
+    void
+    scan(const std::string &file, const std::string &content);
+
+    /** A statement may close the sections beyond @p depth open ones only. */
+    void
+    read_statement(const std::string &line,
+                   const std::string &where,
+                   const std::size_t  depth);
+
+    void
+    include(const std::string &name, const std::string &where);
+
+    const std::string      file_name;
+    const std::string      file_text;
+    std::vector<Statement> statements;
+
+    // While reading: the files and the sections that are open.
+    std::vector<std::string> files;
+    std::vector<std::string> open_sections;
+  };
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef heddle_base_signals_h
+#define heddle_base_signals_h
+
+#include <mpi.h>
+
+#include <chrono>
+#include <string>
+
+namespace Heddle
+{
+  /**
+   * Whether the run was asked to stop: by one of the signals SIGINT, SIGTERM
+   * and SIGUSR1, or by a limit on its wall-clock time. The run asks between
+   * two iterations, saves its state and ends in order.
+   *
+   * A second SIGINT or SIGTERM ends the program at once.
+   */
+  class StopRequest
+  {
+  public:
+    /** Catch signals from now on. There is one such object at a time. */
+    StopRequest(const MPI_Comm communicator);
+
+    /** Leave the signals to the system again. */
+    ~StopRequest();
+
+    StopRequest(const StopRequest &) = delete;
+    StopRequest &
+    operator=(const StopRequest &) = delete;
+
+    /** Stop @p seconds after construction of this object; 0 means no limit. */
+    void
+    set_limit(const double seconds);
+
+    /**
+     * Return whether any rank was asked to stop. All ranks get one answer.
+     *
+     * @note Collective.
+     */
+    bool
+    received();
+
+    /** Return what the request was, as in "signal SIGTERM". */
+    std::string
+    reason() const;
+
+  private:
+    const MPI_Comm                              communicator;
+    const std::chrono::steady_clock::time_point start;
+    double                                      limit = 0.;
+    int                                         cause = 0;
+  };
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,69 @@
+#ifndef heddle_base_table_h
+#define heddle_base_table_h
+
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  /**
+   * One row per load step, one column per quantity: a curve in the making.
+   * It is written as CSV with one line of names and units, as in
+   * `load_factor[-],force_x[N]`, and numbers of ten digits.
+   */
+  class StepTable
+  {
+  public:
+    /** Append a column. All columns are declared before the first row. */
+    void
+    add_column(const std::string &name, const std::string &unit);
+
+    /** Begin a row. Entries that are not set stay empty in the file. */
+    void
+    begin_row();
+
+    /** Set the entry of the last row in the column @p name. */
+    void
+    set(const std::string &name, const double value);
+
+    /** Return the number of rows. */
+    std::size_t
+    n_rows() const;
+
+    /** Return the entry of row @p row in the column @p name, NaN if unset. */
+    double
+    get(const std::size_t row, const std::string &name) const;
+
+    /** Return the table as CSV. */
+    std::string
+    csv() const;
+
+    /** Write the table as CSV to the file @p name, beside it and renamed. */
+    void
+    write(const std::string &name) const;
+
+    /**
+     * Replace the rows by those of @p csv, the text that csv() returned for
+     * the same columns: a run that is resumed goes on with its old table.
+     */
+    void
+    read(const std::string &csv);
+
+    /** Drop all rows after the first @p n_rows. */
+    void
+    truncate(const std::size_t n_rows);
+
+  private:
+    std::string
+    head() const;
+
+    std::size_t
+    column(const std::string &name) const;
+
+    std::vector<std::string>         names;
+    std::vector<std::string>         units;
+    std::vector<std::vector<double>> rows;
+  };
+} // namespace Heddle
+
+#endif

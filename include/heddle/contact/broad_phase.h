@@ -1,0 +1,55 @@
+#ifndef heddle_contact_broad_phase_h
+#define heddle_contact_broad_phase_h
+
+#include <heddle/contact/curve.h>
+
+#include <tuple>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    /** Interval number @p interval_a of a fiber a close to one of b. */
+    struct CandidatePair
+    {
+      unsigned int fiber_a, fiber_b; /**< a <= b */
+      unsigned int interval_a, interval_b;
+    };
+
+    inline bool
+    operator<(const CandidatePair &left, const CandidatePair &right)
+    {
+      return std::tie(
+               left.fiber_a, left.fiber_b, left.interval_a, left.interval_b) <
+             std::tie(
+               right.fiber_a, right.fiber_b, right.interval_a, right.interval_b);
+    }
+
+    /** A curve and the number of its fiber. */
+    struct NumberedCurve
+    {
+      unsigned int fiber;
+      bool         own; /**< pairs of two foreign curves are not searched */
+      Curve        curve;
+    };
+
+    /**
+     * Arc length within which a fiber cannot touch itself: bent around a circle
+     * of its own radius it needs half a turn to come back.
+     */
+    double
+    least_self_separation(const Curve &curve);
+
+    /**
+     * Return all pairs of intervals whose surfaces may be closer than
+     * @p search_distance [mm], sorted, each once. None is missed: an interval
+     * is boxed by the control points of its cubic.
+     */
+    std::vector<CandidatePair>
+    find_candidates(const std::vector<NumberedCurve> &curves,
+                    const double                      search_distance);
+  } // namespace Contact
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,28 @@
+#ifndef heddle_contact_contact_parameters_h
+#define heddle_contact_contact_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    using namespace dealii;
+
+    /**
+     * What a user may say about contact. There is no penalty among it: that
+     * follows from the penetration threshold, zone by zone.
+     */
+    class ContactParameters : public ParameterAcceptor
+    {
+    public:
+      ContactParameters(const std::string &section = "/Contact");
+
+      double threshold       = 0.02;
+      double search_distance = 1.;
+      double refinement      = 1.;
+    };
+  } // namespace Contact
+} // namespace Heddle
+
+#endif

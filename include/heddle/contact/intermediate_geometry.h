@@ -1,0 +1,79 @@
+#ifndef heddle_contact_intermediate_geometry_h
+#define heddle_contact_intermediate_geometry_h
+
+#include <heddle/contact/curve.h>
+
+#include <utility>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    using namespace dealii;
+
+    /** Two particles that face each other. */
+    struct FacingParticles
+    {
+      double       s_a, s_b;           /**< arc lengths [mm] */
+      unsigned int interval_a, interval_b;
+      Tensor<1, 3> connection;         /**< from b to a [mm] */
+      double       squared_distance;   /**< of the axes [mm^2] */
+      double       slope; /**< of the squared distance along p [mm] */
+    };
+
+    /**
+     * The intermediate geometry of two close fibers a and b, of orientation
+     * $\sigma = \pm 1$ (whether they run the same way): the curve
+     * $x(p) = \frac12 [x_a(s_a) + x_b(s_b)]$ along its coordinate
+     * $p = s_a + \sigma s_b$, twice its arc length.
+     *
+     * The particles at p are those in one plane normal to it,
+     * @f[ (x_a - x_b) \cdot (t_a + \sigma t_b) = 0, @f]
+     * which are also those of *stationary distance* among all with the same p.
+     * So the derivative of their distance with respect to the configuration is
+     * $n \cdot (\delta x_a - \delta x_b)$ exactly, although they move along the
+     * fibers while the configuration changes; and exchanging a and b changes
+     * nothing. At the end of a fiber its last particle faces a further part of
+     * the other: the end is round.
+     */
+    class IntermediateGeometry
+    {
+    public:
+      /**
+       * @p min_separation [mm]: of a fiber with itself, the least difference
+       * of arc lengths of particles that may touch; 0 for two fibers.
+       */
+      IntermediateGeometry(const Curve &a,
+                           const Curve &b,
+                           const int    orientation,
+                           const double min_separation = 0.)
+        : a(a)
+        , b(b)
+        , orientation(orientation)
+        , min_separation(min_separation)
+      {}
+
+      /** Range of p in which there are particles of both fibers. */
+      std::pair<double, double>
+      range() const;
+
+      /**
+       * Return the particles at @p p, found from the guess @p q of
+       * $s_a - \sigma s_b$, which is set to what was found.
+       */
+      FacingParticles
+      facing(const double p, double &q) const;
+
+      const Curve a, b;
+      const int   orientation;
+
+    private:
+      std::pair<double, double>
+      range_of_q(const double p) const;
+
+      const double min_separation;
+    };
+  } // namespace Contact
+} // namespace Heddle
+
+#endif

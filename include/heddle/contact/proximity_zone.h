@@ -1,0 +1,48 @@
+#ifndef heddle_contact_proximity_zone_h
+#define heddle_contact_proximity_zone_h
+
+#include <heddle/contact/broad_phase.h>
+
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    /**
+     * Two parts of two fibers (or of one, apart along it) that are close all
+     * along: a connected set of pairs of intervals.
+     */
+    struct ProximityZone
+    {
+      unsigned int fiber_a, fiber_b;
+      int          orientation; /**< +1: the fibers run the same way, else -1 */
+
+      /** Places at which the zone was sampled: p, q and squared distance. */
+      struct Sample
+      {
+        double p, q, squared_distance;
+      };
+      std::vector<Sample> samples; /**< sorted by p */
+
+      /** Range of p that its intervals cover. */
+      double begin, end;
+
+      /** A guess of q at @p p, from the closest pair of intervals there. */
+      double
+      guess(const double p) const;
+    };
+
+    /**
+     * Group the candidates @p first to @p last, all of one pair of fibers, into
+     * zones.
+     */
+    std::vector<ProximityZone>
+    find_zones(const CandidatePair *first,
+               const CandidatePair *last,
+               const Curve &        a,
+               const Curve &        b);
+  } // namespace Contact
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,210 @@
+#ifndef heddle_contributions_fiber_contact_h
+#define heddle_contributions_fiber_contact_h
+
+#include <heddle/contact/contact_cell.h>
+#include <heddle/contact/contact_parameters.h>
+#include <heddle/contact/normal_law.h>
+#include <heddle/contact/proximity_zone.h>
+#include <heddle/system/contribution.h>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /**
+     * Contact of fibers with each other and with themselves, without friction.
+     *
+     * Search: candidates within the search distance are grouped into proximity
+     * zones, which are covered with contact cells. That is repeated when the
+     * fibers have moved so far that a pair outside could have come close.
+     * Elements are placed anew in the cells whenever the configuration changes.
+     *
+     * Every rank holds the cells of all pairs with one of its own fibers.
+     */
+    class FiberContact : public System::Contribution
+    {
+    public:
+      /** Says whether two fibers can touch at all. */
+      using Filter = std::function<bool(unsigned int, unsigned int)>;
+
+      FiberContact(const System::FiberSpace &        space,
+                   const Contact::ContactParameters &parameters);
+
+      std::string
+      name() const override
+      {
+        return "fiber contact";
+      }
+
+      /** From now on leave out pairs for which @p filter is false. */
+      void
+      restrict_to(const Filter &filter);
+
+      void
+      update(System::State &state) override;
+
+      void
+      probe(System::State &state) override;
+
+      bool
+      needs_new_pattern() const override;
+
+      void
+      add_pattern(const System::State &         state,
+                  System::BlockSystem::Pattern &pattern) override;
+
+      void
+      assemble(const System::State &state,
+               System::BlockSystem &system) override;
+
+      bool
+      is_rough() const override
+      {
+        return true;
+      }
+
+      std::pair<double, double>
+      slope_and_curvature(const System::State &    state,
+                          const System::Increment &increment) const override;
+
+      double
+      largest_step(const System::State &    state,
+                   const System::Increment &increment) const override;
+
+      bool
+      adapt(const System::State &state) override;
+
+      std::string
+      objection(const System::State &state) const override;
+
+      double
+      typical_force() const override
+      {
+        return statistics.mean_force;
+      }
+
+      std::string
+      status() const override;
+
+      void
+      report(const System::State &          state,
+             std::map<std::string, double> &values) const override;
+
+      const std::vector<Contact::ContactElement> &
+      elements() const
+      {
+        return contact_elements;
+      }
+
+      /** Set the threshold that adapt() and objection() go by [-]. */
+      void
+      set_threshold(const double value);
+
+      /** Forget the search: the next update begins anew. */
+      void
+      invalidate()
+      {
+        searched = false;
+      }
+
+    private:
+      /** Over all ranks, of the elements as last placed. */
+      struct Statistics
+      {
+        double n_elements      = 0.;
+        double n_active        = 0.;
+        double mean_force      = 0.; /**< of the active ones [N] */
+        double deepest         = 0.; /**< largest penetration over radius [-] */
+        double least_penalty   = 0.;
+        double largest_penalty = 0.;
+        double energy          = 0.; /**< [N mm] */
+      };
+
+      /** Deepest penetration in a zone and the threshold for it [mm]. */
+      struct Zone
+      {
+        double penetration;
+        double radius;
+      };
+
+      void
+      update_curves(const System::State &state);
+
+      void
+      fetch_near_fibers(System::State &state);
+
+      void
+      search(System::State &state);
+
+      void
+      cover_zone(const Contact::ProximityZone &              zone,
+                 const Contact::Curve &                      a,
+                 const Contact::Curve &                      b,
+                 const std::vector<Contact::ContactCell> &   old_cells);
+
+      void
+      place_elements();
+
+      void
+      gather_statistics();
+
+      double
+      moved_since_search(const System::State &state) const;
+
+      Contact::Curve
+      curve(const unsigned int f) const;
+
+      Contact::IntermediateGeometry
+      geometry(const Contact::ContactCell &cell) const;
+
+      /** Size of the cells of two fibers in the coordinate p [mm]. */
+      double
+      cell_size(const unsigned int a, const unsigned int b) const;
+
+      /** Penalty to begin with: line contact of two elastic cylinders. */
+      double
+      first_penalty(const unsigned int a, const unsigned int b) const;
+
+      Contact::NormalLaw
+      law(const double radius) const
+      {
+        return {0.5 * threshold * radius};
+      }
+
+      /** Local blocks of the particles of an element and their weights. */
+      void
+      locate(const System::State &          state,
+             const Contact::ContactElement &element,
+             unsigned int *                 blocks,
+             double *                       weights) const;
+
+      const System::FiberSpace &        space;
+      const Contact::ContactParameters &parameters;
+      double                            threshold;
+      double                            largest_radius = 0.;
+      Filter                            filter;
+
+      bool                                 searched = false;
+      std::vector<Tensor<1, 3>>            searched_at;
+      std::vector<unsigned int>            first_knot;
+      std::vector<Tensor<1, 3>>            knot_positions, knot_tangents;
+      std::vector<Contact::ContactCell>    cells;
+      std::vector<Zone>                    zones;
+      std::vector<Contact::ContactElement> contact_elements;
+      Statistics                           statistics;
+
+      /** Pairs of fiber intervals that the pattern of the tangent covers. */
+      std::vector<Contact::CandidatePair> pattern_pairs;
+      std::vector<Contact::CandidatePair>
+      active_pairs() const;
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

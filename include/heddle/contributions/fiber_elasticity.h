@@ -1,0 +1,84 @@
+#ifndef heddle_contributions_fiber_elasticity_h
+#define heddle_contributions_fiber_elasticity_h
+
+#include <heddle/system/contribution.h>
+
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /**
+     * Elastic forces of the owned fibers, and the stress-free reference from
+     * which their strains are counted.
+     */
+    class FiberElasticity : public System::Contribution
+    {
+    public:
+      /**
+       * The fibers are free of stress in the configuration @p reference, the
+       * owned blocks of a State.
+       */
+      FiberElasticity(const System::FiberSpace &       space,
+                      const std::vector<Tensor<1, 3>> &reference);
+
+      std::string
+      name() const override
+      {
+        return "fiber elasticity";
+      }
+
+      void
+      begin_step(System::State &state) override;
+
+      void
+      add_pattern(const System::State &         state,
+                  System::BlockSystem::Pattern &pattern) override;
+
+      void
+      assemble(const System::State &state,
+               System::BlockSystem &system) override;
+
+      void
+      predict(const System::State &    state,
+              const System::Increment &increment) override;
+
+      void
+      report(const System::State &          state,
+             std::map<std::string, double> &values) const override;
+
+      /** Reference strains of element @p e of the owned fiber @p f. */
+      const double *
+      reference_strains(const unsigned int f, const unsigned int e) const
+      {
+        return reference.data() + offset(f, e);
+      }
+
+    private:
+      std::size_t
+      offset(const unsigned int f, const unsigned int e) const
+      {
+        return (first_element[f - space.owned_fibers().first] + e) *
+               space.element().n_strains();
+      }
+
+      /** Call @p action(fiber, element, first local block) for owned ones. */
+      template <typename Action>
+      void
+      for_each_element(const System::State &state, const Action &action) const;
+
+      const System::FiberSpace &space;
+      std::vector<unsigned int> first_element;
+      std::vector<double>       reference;
+
+      /** Predicted stresses; not used before the first prediction of a step. */
+      std::vector<double> stresses;
+      bool                predicted = false;
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,19 @@
+#ifndef heddle_post_polyline_h
+#define heddle_post_polyline_h
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace Heddle
+{
+  namespace Post
+  {
+    using namespace dealii;
+
+    /** Points along a fiber, joined by straight lines [mm]. */
+    using Polyline = std::vector<Tensor<1, 3>>;
+  } // namespace Post
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,142 @@
+#ifndef heddle_solver_newton_h
+#define heddle_solver_newton_h
+
+#include <heddle/base/log.h>
+#include <heddle/base/signals.h>
+#include <heddle/base/timer.h>
+#include <heddle/solver/linear_solver.h>
+#include <heddle/system/contribution.h>
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    using namespace dealii;
+
+    class NewtonParameters : public ParameterAcceptor
+    {
+    public:
+      NewtonParameters(const std::string &section = "/Newton");
+
+      double       residual_tolerance  = 1e-5;
+      double       increment_tolerance = 1e-3;
+      unsigned int max_iterations      = 60;
+      double       damping             = 3e-3;
+    };
+
+    /** The contributions of a scene, in the order of assembly. */
+    using Contributions =
+      std::vector<std::shared_ptr<System::Contribution>>;
+
+    /** What Newton's method did. */
+    struct NewtonResult
+    {
+      bool         converged         = false;
+      unsigned int iterations        = 0;
+      unsigned int factorizations    = 0;
+      unsigned int linear_iterations = 0;
+      double       residual_ratio    = 0.;
+      double       increment         = 0.; /**< largest motion, in radii [-] */
+      std::string  obstacle; /**< why not converged, in words */
+    };
+
+    /**
+     * Newton's method on the sum of all contributions.
+     *
+     * Without rough terms (contact) it takes full steps, as mixed integration
+     * points want it. With them it is damped by a term that fades as the
+     * iteration calms down, bounded by what the terms allow, and shortened to
+     * where the energy along the step stops falling.
+     */
+    class Newton
+    {
+    public:
+      Newton(const NewtonParameters &      parameters,
+             const LinearSolverParameters &linear_parameters,
+             const MPI_Comm                communicator,
+             Log &                         log,
+             SectionTimer &                timer,
+             StopRequest &                 stop);
+
+      /**
+       * Bring @p state to equilibrium.
+       * @note Collective. Throws Stopped on request.
+       */
+      NewtonResult
+      solve(System::State &state, const Contributions &contributions);
+
+      /** The residual as last assembled, for reactions. */
+      const System::BlockSystem *
+      system() const
+      {
+        return block_system.get();
+      }
+
+    private:
+      /** Judgement of a residual, over all ranks. */
+      struct Residual
+      {
+        double largest_force = 0.; /**< unbalanced nodal force [N] */
+        double ratio         = 0.; /**< over the typical force [-] */
+        double pending       = 0.; /**< prescribed motion left, in radii [-] */
+      };
+
+      void
+      prepare(System::State &state, const Contributions &contributions);
+
+      void
+      assemble(System::State &state, const Contributions &contributions);
+
+      /** Call @p action(position block, stiffness that holds it back). */
+      template <typename Action>
+      void
+      for_each_damped_block(const System::State &state,
+                            const Action &       action) const;
+
+      double
+      damping_curvature(const System::State &    state,
+                        const System::Increment &increment) const;
+
+      Residual
+      judge(const System::State &state, const Contributions &contributions);
+
+      double
+      line_search(System::State &          state,
+                  const Contributions &    contributions,
+                  const System::Increment &increment,
+                  const double             largest);
+
+      double
+      largest_motion(const System::State &    state,
+                     const System::Increment &increment) const;
+
+      void
+      report(const unsigned int       iteration,
+             const Residual &         residual,
+             const NewtonResult &     result,
+             const Contributions &    contributions) const;
+
+      const NewtonParameters &      parameters;
+      const LinearSolverParameters &linear_parameters;
+      const MPI_Comm                communicator;
+      Log &                         log;
+      SectionTimer &                timer;
+      StopRequest &                 stop;
+
+      std::unique_ptr<System::BlockSystem> block_system;
+      std::unique_ptr<LinearSolver>        linear_solver;
+      unsigned int                         ghost_version = 0;
+      std::vector<System::BlockSystem::Constraint> constraints;
+      double                                       damping = 0.;
+      double                                       length_scale = 1.;
+    };
+  } // namespace Solver
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,187 @@
+#ifndef heddle_system_block_system_h
+#define heddle_system_block_system_h
+
+#include <deal.II/base/tensor.h>
+
+#include <heddle/system/state.h>
+
+#include <petscmat.h>
+
+#include <vector>
+
+namespace Heddle
+{
+  namespace System
+  {
+    using namespace dealii;
+
+    /**
+     * The linearised equilibrium of the fibers: residual (internal minus
+     * external forces), tangent and prescribed values, assembled block by block
+     * into one distributed PETSc matrix of 3x3 blocks.
+     *
+     * Every rank adds the terms of everything that touches its own fibers, and
+     * keeps its own rows only. So nothing is sent during assembly, and a term
+     * between fibers of two ranks is computed by both.
+     *
+     * A block may be *constrained*: some of its components along the rows of an
+     * orthonormal frame have to move by a prescribed amount. They are
+     * eliminated while elements are added, which keeps the matrix symmetric.
+     */
+    class BlockSystem
+    {
+    public:
+      /** What add() is to use of what it is given. */
+      enum class Want
+      {
+        residual,
+        residual_and_tangent
+      };
+
+      /** Prescribed motion of some components of one block. */
+      struct Constraint
+      {
+        unsigned int          block;    /**< local number */
+        std::array<bool, 3>   fixed;    /**< by row of the frame */
+        Tensor<2, 3>          frame;    /**< rows: orthonormal directions */
+        std::array<double, 3> pending;  /**< what remains to be moved */
+      };
+
+      /** @p symmetric halves the storage and permits LDL^T and CG. */
+      BlockSystem(const State &state, const bool symmetric);
+
+      ~BlockSystem();
+
+      BlockSystem(const BlockSystem &) = delete;
+      BlockSystem &
+      operator=(const BlockSystem &) = delete;
+
+      /** Collects which blocks of the tangent contributions will write. */
+      class Pattern
+      {
+      public:
+        Pattern(const unsigned int n_owned_blocks)
+          : columns(n_owned_blocks)
+        {}
+
+        /** All pairs of these local blocks. */
+        void
+        couple(const unsigned int n, const unsigned int *blocks);
+
+      private:
+        std::vector<std::vector<unsigned int>> columns;
+        friend class BlockSystem;
+      };
+
+      /**
+       * Create the tangent with this pattern.
+       * @note Collective.
+       */
+      void
+      set_pattern(Pattern &pattern);
+
+      void
+      set_constraints(const std::vector<Constraint> &constraints);
+
+      /** Set to zero what @p want asks to be assembled. */
+      void
+      begin(const Want want);
+
+      bool
+      wants_tangent() const
+      {
+        return want == Want::residual_and_tangent;
+      }
+
+      /**
+       * Add the term of @p n local blocks: its energy, @p residual (3n
+       * numbers) and @p tangent (3n x 3n by rows; not read if not wanted).
+       * Terms between ranks count with the share of their owned blocks.
+       */
+      void
+      add(const unsigned int  n,
+          const unsigned int *blocks,
+          const double *      residual,
+          const double *      tangent);
+
+      /** Add @p value to the three diagonal entries of an owned block. */
+      void
+      add_diagonal(const unsigned int block, const double value);
+
+      /**
+       * Finish assembly.
+       * @note Collective.
+       */
+      void
+      end();
+
+      /** Internal minus external forces on the owned blocks [N]. */
+      const std::vector<Tensor<1, 3>> &
+      residual() const
+      {
+        return forces;
+      }
+
+      /**
+       * The residual without its constrained components: the unbalanced forces
+       * of the owned blocks.
+       */
+      void
+      unbalanced(std::vector<Tensor<1, 3>> &values) const;
+
+      /** The tangent, n_dofs x n_dofs, SBAIJ or BAIJ of block size 3. */
+      Mat
+      tangent() const
+      {
+        return matrix;
+      }
+
+      /** Vectors in the layout of the tangent, for the solver. */
+      Vec
+      right_hand_side() const
+      {
+        return rhs;
+      }
+
+      Vec
+      solution() const
+      {
+        return increment;
+      }
+
+      /** Turn the solution of the linear system into the motion of blocks. */
+      void
+      extract_increment(std::vector<Tensor<1, 3>> &values) const;
+
+      bool
+      is_symmetric() const
+      {
+        return symmetric;
+      }
+
+      const State &state;
+
+    private:
+      void
+      constrain(const unsigned int  n,
+                const unsigned int *blocks,
+                double *            tangent);
+
+      const bool symmetric;
+      Want       want = Want::residual;
+
+      std::vector<Tensor<1, 3>> forces;
+      std::vector<Tensor<1, 3>> lifting; /**< tangent times pending motion */
+      std::vector<Constraint>   constraints;
+      std::vector<int>          constraint_of_block;
+      std::vector<PetscInt>     global_blocks;
+      std::vector<double>       work;
+
+      Mat matrix    = nullptr;
+      Vec rhs       = nullptr;
+      Vec increment = nullptr;
+    };
+  } // namespace System
+} // namespace Heddle
+
+#endif

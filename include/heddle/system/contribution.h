@@ -1,0 +1,162 @@
+#ifndef heddle_system_contribution_h
+#define heddle_system_contribution_h
+
+#include <heddle/system/block_system.h>
+#include <heddle/system/state.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Heddle
+{
+  namespace System
+  {
+    /** Motion of the local blocks, ghosts included. */
+    using Increment = std::vector<Tensor<1, 3>>;
+
+    /**
+     * One physical term of the equilibrium. A scene is the list of its
+     * contributions: what is not in the list costs nothing. The solver knows
+     * this interface and nothing else of the physics.
+     *
+     * All members are collective unless said otherwise.
+     */
+    class Contribution
+    {
+    public:
+      virtual ~Contribution() = default;
+
+      /** "fiber contact": for logs, timers, the summary and tests. */
+      virtual std::string
+      name() const = 0;
+
+      /** A step begins: the load factor of the state is the new one. */
+      virtual void
+      begin_step(State &)
+      {}
+
+      /**
+       * The configuration changed: bring what depends on it up to date, contact
+       * elements for instance. May change the ghosts of the state.
+       */
+      virtual void
+      update(State &)
+      {}
+
+      /**
+       * The same for a configuration that is only tried: what was searched
+       * stays, and so do the ghosts.
+       */
+      virtual void
+      probe(State &)
+      {}
+
+      /** Whether the pattern that was last given no longer suffices. */
+      virtual bool
+      needs_new_pattern() const
+      {
+        return false;
+      }
+
+      /** Append the motions that this term prescribes in the current state. */
+      virtual void
+      constrain(const State &, std::vector<BlockSystem::Constraint> &) const
+      {}
+
+      /** Say which blocks assemble() may couple. */
+      virtual void
+      add_pattern(const State &state, BlockSystem::Pattern &pattern) = 0;
+
+      /** Add residual and, if wanted, tangent. */
+      virtual void
+      assemble(const State &state, BlockSystem &system) = 0;
+
+      /** A linear system was solved: @p increment is its whole solution. */
+      virtual void
+      predict(const State &, const Increment &)
+      {}
+
+      /**
+       * Largest factor in (0, 1] by which the step @p increment may be taken.
+       * Local: the solver takes the smallest over ranks and contributions.
+       */
+      virtual double
+      largest_step(const State &, const Increment &) const
+      {
+        return 1.;
+      }
+
+      /**
+       * Whether this term is too rough for Newton's full step: then the solver
+       * looks for a shorter one with the help of slope_and_curvature().
+       */
+      virtual bool
+      is_rough() const
+      {
+        return false;
+      }
+
+      /**
+       * Local part of the derivative of this term's energy along @p increment
+       * in the current configuration, and of its second derivative by the
+       * tangent. Asked of rough terms only, without assembly.
+       */
+      virtual std::pair<double, double>
+      slope_and_curvature(const State &, const Increment &) const
+      {
+        return {0., 0.};
+      }
+
+      /**
+       * The iteration calmed down: improve what was only guessed so far, such
+       * as penalties. Return whether the equilibrium changed by that.
+       */
+      virtual bool
+      adapt(const State &)
+      {
+        return false;
+      }
+
+      /**
+       * What keeps the current state from being accepted although it is in
+       * equilibrium ("penetration 0.04 above 0.02"), or nothing.
+       */
+      virtual std::string
+      objection(const State &) const
+      {
+        return "";
+      }
+
+      /** A force typical of this term, to judge residuals by, or 0 [N]. */
+      virtual double
+      typical_force() const
+      {
+        return 0.;
+      }
+
+      /** Numbers for the log line of an iteration, "active 1843". */
+      virtual std::string
+      status() const
+      {
+        return "";
+      }
+
+      /** Numbers for the summary and the history, by name with unit. */
+      virtual void
+      report(const State &, std::map<std::string, double> &) const
+      {}
+
+      virtual void
+      accept_step(const State &)
+      {}
+
+      virtual void
+      reject_step(State &)
+      {}
+    };
+  } // namespace System
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,94 @@
+#include <heddle/base/signals.h>
+
+#include <csignal>
+
+namespace Heddle
+{
+  namespace internal
+  {
+    namespace StopRequest
+    {
+      constexpr int limit_reached = 1000;
+
+      volatile std::sig_atomic_t last_signal = 0;
+
+
+
+      extern "C" void
+      heddle_note_signal(const int signal)
+      {
+        last_signal = signal;
+        // The next one of its kind ends the program.
+        if (signal != SIGUSR1)
+          std::signal(signal, SIG_DFL);
+      }
+    } // namespace StopRequest
+  }   // namespace internal
+
+
+
+  StopRequest::StopRequest(const MPI_Comm communicator)
+    : communicator(communicator)
+    , start(std::chrono::steady_clock::now())
+  {
+    internal::StopRequest::last_signal = 0;
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
+      {
+        struct sigaction action = {};
+        action.sa_handler       = internal::StopRequest::heddle_note_signal;
+        action.sa_flags         = SA_RESTART;
+        sigaction(signal, &action, nullptr);
+      }
+  }
+
+
+
+  StopRequest::~StopRequest()
+  {
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
+      std::signal(signal, SIG_DFL);
+  }
+
+
+
+  void
+  StopRequest::set_limit(const double seconds)
+  {
+    limit = seconds;
+  }
+
+
+
+  bool
+  StopRequest::received()
+  {
+    const std::chrono::duration<double> elapsed =
+      std::chrono::steady_clock::now() - start;
+    int mine = internal::StopRequest::last_signal;
+    if (mine == 0 && limit > 0. && elapsed.count() > limit)
+      mine = internal::StopRequest::limit_reached;
+
+    MPI_Allreduce(&mine, &cause, 1, MPI_INT, MPI_MAX, communicator);
+    return cause != 0;
+  }
+
+
+
+  std::string
+  StopRequest::reason() const
+  {
+    switch (cause)
+      {
+        case 0:
+          return "no request";
+        case SIGINT:
+          return "signal SIGINT";
+        case SIGTERM:
+          return "signal SIGTERM";
+        case SIGUSR1:
+          return "signal SIGUSR1";
+        default:
+          return "the wall-clock limit";
+      }
+  }
+} // namespace Heddle

@@ -1,0 +1,140 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
+#include <heddle/base/table.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace Heddle
+{
+  using namespace dealii;
+
+
+
+  void
+  StepTable::add_column(const std::string &name, const std::string &unit)
+  {
+    Assert(rows.empty(), ExcMessage("Columns come before rows."));
+    names.push_back(name);
+    units.push_back(unit);
+  }
+
+
+
+  void
+  StepTable::begin_row()
+  {
+    rows.emplace_back(names.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+
+
+  void
+  StepTable::set(const std::string &name, const double value)
+  {
+    Assert(!rows.empty(), ExcMessage("There is no row yet."));
+    rows.back()[column(name)] = value;
+  }
+
+
+
+  std::size_t
+  StepTable::n_rows() const
+  {
+    return rows.size();
+  }
+
+
+
+  double
+  StepTable::get(const std::size_t row, const std::string &name) const
+  {
+    AssertIndexRange(row, rows.size());
+    return rows[row][column(name)];
+  }
+
+
+
+  std::string
+  StepTable::csv() const
+  {
+    std::ostringstream out;
+    out << head() << '\n' << std::setprecision(10);
+    for (const auto &row : rows)
+      for (std::size_t i = 0; i < row.size(); ++i)
+        {
+          if (!std::isnan(row[i]))
+            out << row[i];
+          out << (i + 1 < row.size() ? ',' : '\n');
+        }
+    return out.str();
+  }
+
+
+
+  void
+  StepTable::write(const std::string &name) const
+  {
+    write_file(name, csv());
+  }
+
+
+
+  void
+  StepTable::read(const std::string &csv)
+  {
+    std::istringstream in(csv);
+    std::string        line;
+    std::getline(in, line);
+    require(line == head(),
+            "A table has the columns \"" + line + "\", not \"" + head() +
+              "\": it is not one of this scene.");
+
+    rows.clear();
+    while (std::getline(in, line))
+      {
+        begin_row();
+        std::istringstream entries(line);
+        std::string        entry;
+        for (double &value : rows.back())
+          if (std::getline(entries, entry, ',') && !entry.empty())
+            value = std::strtod(entry.c_str(), nullptr);
+      }
+  }
+
+
+
+  void
+  StepTable::truncate(const std::size_t n_rows)
+  {
+    rows.resize(std::min(n_rows, rows.size()));
+  }
+
+
+
+  std::string
+  StepTable::head() const
+  {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      text += (i > 0 ? "," : "") + names[i] + "[" + units[i] + "]";
+    return text;
+  }
+
+
+
+  std::size_t
+  StepTable::column(const std::string &name) const
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    AssertThrow(found != names.end(),
+                ExcMessage("The table has no column \"" + name + "\"."));
+    return found - names.begin();
+  }
+} // namespace Heddle

@@ -1,0 +1,80 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/beam/director_element.h>
+#include <heddle/beam/element.h>
+#include <heddle/beam/hermite_element.h>
+
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Beam
+  {
+    namespace
+    {
+      void
+      check(const bool condition, const std::string &what, const double value)
+      {
+        if (!condition)
+          throw InputError(what + ", but it is " + std::to_string(value) + ".");
+      }
+    } // namespace
+
+
+
+    Section
+    circular_section(const double radius,
+                     const double axial_modulus,
+                     const double shear_modulus,
+                     const double poisson_ratio)
+    {
+      check(radius > 0., "The radius of a fiber must be positive", radius);
+      check(axial_modulus > 0.,
+            "The axial modulus of a fiber must be positive",
+            axial_modulus);
+      check(shear_modulus > 0.,
+            "The shear modulus of a fiber must be positive",
+            shear_modulus);
+      check(poisson_ratio >= 0. && poisson_ratio < .5,
+            "Poisson's ratio of a fiber must be from 0 to below 0.5",
+            poisson_ratio);
+
+      const double area    = M_PI * radius * radius;
+      const double inertia = .25 * area * radius * radius;
+
+      Section section;
+      section.axial         = axial_modulus * area;
+      section.bending       = axial_modulus * inertia;
+      section.torsion       = shear_modulus * 2. * inertia;
+      section.shear         = shear_modulus * area;
+      section.thickness     = shear_modulus * area;
+      section.gradient      = shear_modulus * inertia;
+      section.poisson_ratio = poisson_ratio;
+      return section;
+    }
+
+
+
+    std::unique_ptr<Element>
+    make_element(const std::string &name, const unsigned int degree)
+    {
+      if (name == "hermite")
+        return std::make_unique<HermiteElement>();
+      if (name != "director")
+        throw InputError("There is no fiber element \"" + name +
+                         "\": choose \"hermite\" or \"director\".");
+      switch (degree)
+        {
+          case 1:
+            return std::make_unique<DirectorElement<1>>();
+          case 2:
+            return std::make_unique<DirectorElement<2>>();
+          case 3:
+            return std::make_unique<DirectorElement<3>>();
+          default:
+            throw InputError("The fiber element \"director\" has the degree "
+                             "1, 2 or 3, not " +
+                             std::to_string(degree) + ".");
+        }
+    }
+  } // namespace Beam
+} // namespace Heddle

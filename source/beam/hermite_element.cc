@@ -1,0 +1,381 @@
+#include <heddle/beam/hermite_element.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Beam
+  {
+    namespace
+    {
+      constexpr unsigned int n_unknowns = 12;
+      constexpr unsigned int n_axial    = 3;
+      constexpr unsigned int n_bending  = 2;
+
+      constexpr std::array<double, n_axial> axial_weight{
+        {1. / 6., 4. / 6., 1. / 6.}};
+      constexpr std::array<double, n_bending> bending_weight{{.5, .5}};
+
+      /** 1/sqrt(3): the Gauss points on the interval from -1 to 1. */
+      constexpr double gauss_point = 0.57735026918962576;
+
+      /** Width of the rounding of the kink, relative to the curvature. */
+      constexpr double rounding = 1e-2;
+
+      /** Turn over an element below which the reference is straight. */
+      constexpr double smallest_turn = 1e-8;
+
+      /** Factors of the blocks r_1, t_1, r_2, t_2 in a linear combination. */
+      using Factors = std::array<double, 4>;
+
+
+
+      /** r' at the first node, in the middle, at the second node. */
+      inline std::array<Factors, n_axial>
+      tangent_factors(const double length)
+      {
+        const double middle = 1.5 / length;
+        return {{{{0., 1., 0., 0.}},
+                 {{-middle, -.25, middle, -.25}},
+                 {{0., 0., 0., 1.}}}};
+      }
+
+
+
+      /** r'' at the two Gauss points. */
+      inline std::array<Factors, n_bending>
+      curvature_factors(const double length)
+      {
+        std::array<Factors, n_bending> factors;
+        for (unsigned int q = 0; q < n_bending; ++q)
+          {
+            const double x = q == 0 ? -gauss_point : gauss_point;
+            factors[q]     = {{6. * x / (length * length),
+                               (3. * x - 1.) / length,
+                               -6. * x / (length * length),
+                               (3. * x + 1.) / length}};
+          }
+        return factors;
+      }
+
+
+
+      inline Tensor<1, 3>
+      combine(const Factors &factors, const Tensor<1, 3> *blocks)
+      {
+        Tensor<1, 3> sum;
+        for (unsigned int i = 0; i < 3; ++i)
+          sum[i] = factors[0] * blocks[0][i] + factors[1] * blocks[1][i] +
+                   factors[2] * blocks[2][i] + factors[3] * blocks[3][i];
+        return sum;
+      }
+
+
+
+      inline double
+      axial_strain(const Tensor<1, 3> &tangent)
+      {
+        return .5 * (tangent * tangent - 1.);
+      }
+
+
+
+      /** Rounded magnitude of a curvature over a reference magnitude. */
+      class RoundedCurvature
+      {
+      public:
+        RoundedCurvature(const double reference, const double length)
+          : magnitude(reference * length < smallest_turn ? 0. : reference)
+          , rest(magnitude * std::sqrt(1. + rounding * rounding))
+        {
+        }
+
+        /** Return m(x). */
+        double
+        value(const Tensor<1, 3> &x) const
+        {
+          return std::sqrt(x * x + rounding * rounding * magnitude * magnitude);
+        }
+
+        /** Return m(x) - m_0, the elastic strain. */
+        double
+        strain(const Tensor<1, 3> &x) const
+        {
+          return value(x) - rest;
+        }
+
+        /** Return m_0 / m(x), and zero for a straight reference. */
+        double
+        ratio(const Tensor<1, 3> &x) const
+        {
+          return rest > 0. ? rest / value(x) : 0.;
+        }
+
+      private:
+        double magnitude;
+        double rest;
+      };
+
+
+
+      inline void
+      add_residual(const Factors      &factors,
+                   const Tensor<1, 3> &force,
+                   double             *residual)
+      {
+        for (unsigned int a = 0; a < 4; ++a)
+          for (unsigned int i = 0; i < 3; ++i)
+            residual[3 * a + i] += factors[a] * force[i];
+      }
+
+
+
+      /**
+       * Add the tangent of an energy density with the second derivative
+       * @p isotropic I + @p along x x^T in the vector x that @p factors make.
+       */
+      inline void
+      add_tangent(const Factors      &factors,
+                  const Tensor<1, 3> &x,
+                  const double        isotropic,
+                  const double        along,
+                  double             *tangent)
+      {
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            std::array<double, n_unknowns> row;
+            for (unsigned int b = 0; b < 4; ++b)
+              for (unsigned int j = 0; j < 3; ++j)
+                row[3 * b + j] = factors[b] * (along * x[i] * x[j] +
+                                               (i == j ? isotropic : 0.));
+            for (unsigned int a = 0; a < 4; ++a)
+              for (unsigned int c = 0; c < n_unknowns; ++c)
+                tangent[(3 * a + i) * n_unknowns + c] += factors[a] * row[c];
+          }
+      }
+
+
+
+      inline double
+      assemble_axial(const Section      &section,
+                     const Tensor<1, 3> *blocks,
+                     const double        length,
+                     const double       *reference_strains,
+                     const double       *predicted_stresses,
+                     double             *residual,
+                     double             *tangent)
+      {
+        const auto factors = tangent_factors(length);
+        double     energy  = 0.;
+        for (unsigned int q = 0; q < n_axial; ++q)
+          {
+            const Tensor<1, 3> x      = combine(factors[q], blocks);
+            const double       weight = axial_weight[q] * length;
+            const double       strain = axial_strain(x) - reference_strains[q];
+            const double       stress = section.axial * strain;
+            energy += .5 * weight * stress * strain;
+            if (residual != nullptr)
+              add_residual(factors[q], weight * stress * x, residual);
+            if (tangent != nullptr)
+              add_tangent(factors[q],
+                          x,
+                          weight * (predicted_stresses != nullptr
+                                      ? predicted_stresses[q]
+                                      : stress),
+                          weight * section.axial,
+                          tangent);
+          }
+        return energy;
+      }
+
+
+
+      /** The force is EI (1 - m_0/m) x, of derivative along x EI m_0/m^3. */
+      inline double
+      assemble_bending(const Section      &section,
+                       const Tensor<1, 3> *blocks,
+                       const double        length,
+                       const double       *reference_curvatures,
+                       double             *residual,
+                       double             *tangent)
+      {
+        const auto factors = curvature_factors(length);
+        double     energy  = 0.;
+        for (unsigned int q = 0; q < n_bending; ++q)
+          {
+            const RoundedCurvature curvature(reference_curvatures[q], length);
+            const Tensor<1, 3>     x = combine(factors[q], blocks);
+            const double           stiffness =
+              bending_weight[q] * length * section.bending;
+            const double strain = curvature.strain(x);
+            const double ratio  = curvature.ratio(x);
+            energy += .5 * stiffness * strain * strain;
+            if (residual != nullptr)
+              add_residual(factors[q], stiffness * (1. - ratio) * x, residual);
+            if (tangent != nullptr)
+              {
+                const double m = curvature.value(x);
+                add_tangent(factors[q],
+                            x,
+                            stiffness * (1. - ratio),
+                            ratio > 0. ? stiffness * ratio / (m * m) : 0.,
+                            tangent);
+              }
+          }
+        return energy;
+      }
+    } // namespace
+
+
+
+    std::string
+    HermiteElement::name() const
+    {
+      return "hermite";
+    }
+
+
+
+    unsigned int
+    HermiteElement::n_nodes() const
+    {
+      return 2;
+    }
+
+
+
+    unsigned int
+    HermiteElement::n_blocks_per_node() const
+    {
+      return 2;
+    }
+
+
+
+    unsigned int
+    HermiteElement::n_strains() const
+    {
+      return n_axial + n_bending;
+    }
+
+
+
+    void
+    HermiteElement::strains(const Tensor<1, 3> *blocks,
+                            const double        length,
+                            double             *strains) const
+    {
+      for (const Factors &factors : tangent_factors(length))
+        *strains++ = axial_strain(combine(factors, blocks));
+      for (const Factors &factors : curvature_factors(length))
+        *strains++ = combine(factors, blocks).norm();
+    }
+
+
+
+    void
+    HermiteElement::predict_stresses(const Section      &section,
+                                     const Tensor<1, 3> *blocks,
+                                     const Tensor<1, 3> *increment,
+                                     const double        length,
+                                     const double       *reference_strains,
+                                     double             *stresses) const
+    {
+      for (const Factors &factors : tangent_factors(length))
+        {
+          const Tensor<1, 3> x = combine(factors, blocks);
+          *stresses++ =
+            section.axial * (axial_strain(x) - *reference_strains++ +
+                             x * combine(factors, increment));
+        }
+      for (const Factors &factors : curvature_factors(length))
+        *stresses++ =
+          section.bending *
+          RoundedCurvature(*reference_strains++, length)
+            .strain(combine(factors, blocks) + combine(factors, increment));
+    }
+
+
+
+    double
+    HermiteElement::assemble(const Section      &section,
+                             const Tensor<1, 3> *blocks,
+                             const double        length,
+                             const double       *reference_strains,
+                             const double       *predicted_stresses,
+                             double             *residual,
+                             double             *tangent) const
+    {
+      if (residual != nullptr)
+        std::fill_n(residual, n_unknowns, 0.);
+      if (tangent != nullptr)
+        std::fill_n(tangent, n_unknowns * n_unknowns, 0.);
+
+      return assemble_axial(section,
+                            blocks,
+                            length,
+                            reference_strains,
+                            predicted_stresses,
+                            residual,
+                            tangent) +
+             assemble_bending(section,
+                              blocks,
+                              length,
+                              reference_strains + n_axial,
+                              residual,
+                              tangent);
+    }
+
+
+
+    Element::SectionState
+    HermiteElement::section_state(const Section      &section,
+                                  const Tensor<1, 3> *blocks,
+                                  const double        length,
+                                  const double       *reference_strains) const
+    {
+      SectionState state;
+      state.axial_strain =
+        axial_strain(combine(tangent_factors(length)[1], blocks)) -
+        reference_strains[1];
+      state.axial_force = section.axial * state.axial_strain;
+
+      // The mean of the two points, so that the reference itself gives zero.
+      const auto factors = curvature_factors(length);
+      for (unsigned int q = 0; q < n_bending; ++q)
+        state.curvature[0] +=
+          bending_weight[q] *
+          RoundedCurvature(reference_strains[n_axial + q], length)
+            .strain(combine(factors[q], blocks));
+      state.bending_moment[0] = section.bending * state.curvature[0];
+      return state;
+    }
+
+
+
+    Element::EnergySplit
+    HermiteElement::energy_split(const Section      &section,
+                                 const Tensor<1, 3> *blocks,
+                                 const double        length,
+                                 const double       *reference_strains) const
+    {
+      EnergySplit split;
+      split.axial   = assemble_axial(section,
+                                   blocks,
+                                   length,
+                                   reference_strains,
+                                   /*predicted_stresses=*/nullptr,
+                                   /*residual=*/nullptr,
+                                   /*tangent=*/nullptr);
+      split.bending = assemble_bending(section,
+                                       blocks,
+                                       length,
+                                       reference_strains + n_axial,
+                                       /*residual=*/nullptr,
+                                       /*tangent=*/nullptr);
+      return split;
+    }
+  } // namespace Beam
+} // namespace Heddle

@@ -1,0 +1,100 @@
+#include <heddle/contact/intermediate_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    std::pair<double, double>
+    IntermediateGeometry::range() const
+    {
+      if (orientation > 0)
+        return {0., a.length() + b.length()};
+      // Of one fiber with itself p is the separation, s_a < s_b.
+      return {-b.length(), min_separation > 0. ? -min_separation : a.length()};
+    }
+
+
+
+    std::pair<double, double>
+    IntermediateGeometry::range_of_q(const double p) const
+    {
+      // s_a = (p + q) / 2 and s_b = sigma (p - q) / 2 lie on their fibers.
+      const double from_b_low  = orientation > 0 ? p - 2. * b.length() : p;
+      const double from_b_high = orientation > 0 ? p : p + 2. * b.length();
+      double       low         = std::max(-p, from_b_low);
+      double       high        = std::min(2. * a.length() - p, from_b_high);
+      if (orientation > 0 && min_separation > 0.)
+        high = std::min(high, -min_separation);
+      return {low, std::max(low, high)};
+    }
+
+
+
+    FacingParticles
+    IntermediateGeometry::facing(const double p, double &q) const
+    {
+      const auto     bounds = range_of_q(p);
+      const double   sigma  = orientation;
+      const double   scale  = a.radius + b.radius;
+      FacingParticles result;
+      result.interval_a = result.interval_b = 0;
+
+      // Start where these arc lengths lie in fibers of equal intervals.
+      q = std::min(std::max(q, bounds.first), bounds.second);
+      const auto guess = [](const Curve &curve, const double s) {
+        const double i = s / curve.length() * (curve.n_knots - 1);
+        return std::min<unsigned int>(curve.n_knots - 2, std::max(0., i));
+      };
+      result.interval_a = guess(a, 0.5 * (p + q));
+      result.interval_b = guess(b, 0.5 * sigma * (p - q));
+
+      CurvePoint point_a, point_b;
+      for (unsigned int iteration = 0; iteration < 30; ++iteration)
+        {
+          point_a = a.evaluate(0.5 * (p + q), result.interval_a);
+          point_b = b.evaluate(0.5 * sigma * (p - q), result.interval_b);
+          result.connection = point_a.position - point_b.position;
+
+          // Newton's method for the stationary distance; where the distance is
+          // not convex, downhill with the stiffness of straight fibers.
+          const Tensor<1, 3> sum    = point_a.tangent + sigma * point_b.tangent;
+          const double       force  = result.connection * sum;
+          const double       convex = 0.5 * sum.norm_square();
+          const double       curved =
+            0.5 * (result.connection * (point_a.curvature - point_b.curvature));
+          const double stiffness =
+            std::max(convex + curved, 0.2 * convex + 1e-3);
+          double step =
+            std::min(std::max(-force / stiffness, -scale), scale);
+          step = std::min(std::max(q + step, bounds.first), bounds.second) - q;
+          q += step;
+          if (std::abs(step) < 1e-11 * scale)
+            break;
+        }
+
+      result.s_a = 0.5 * (p + q);
+      result.s_b = 0.5 * sigma * (p - q);
+      result.squared_distance = result.connection.norm_square();
+
+      // Along p both particles advance by half, but at the end of a fiber only
+      // the other one does.
+      double advance_a = 0.5, advance_b = 0.5 * sigma;
+      const double tolerance = 1e-9 * scale;
+      if (result.s_a < tolerance || result.s_a > a.length() - tolerance)
+        advance_a = 0., advance_b = sigma;
+      else if (result.s_b < tolerance || result.s_b > b.length() - tolerance)
+        advance_a = 1., advance_b = 0.;
+      result.slope = 2. * (result.connection * (advance_a * point_a.tangent -
+                                                advance_b * point_b.tangent));
+
+      // A fiber does not touch its own neighbourhood.
+      if (min_separation > 0. && orientation > 0 &&
+          q > bounds.second - tolerance)
+        result.squared_distance = 1e6 * scale * scale;
+      return result;
+    }
+  } // namespace Contact
+} // namespace Heddle

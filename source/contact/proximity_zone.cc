@@ -1,0 +1,147 @@
+#include <heddle/contact/proximity_zone.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    namespace internal
+    {
+      namespace ProximityZone
+      {
+        /** Cosine of the angle of two intervals, by their chords. */
+        double
+        cosine(const Curve &      a,
+               const unsigned int i,
+               const Curve &      b,
+               const unsigned int j)
+        {
+          const Tensor<1, 3> u = a.positions[i + 1] - a.positions[i];
+          const Tensor<1, 3> v = b.positions[j + 1] - b.positions[j];
+          return u * v / (u.norm() * v.norm());
+        }
+
+
+
+        /** Number the connected components of the pairs of intervals. */
+        std::vector<unsigned int>
+        connect(const CandidatePair *      first,
+                const unsigned int         n,
+                const std::vector<double> &cosines)
+        {
+          std::vector<unsigned int> parent(n);
+          std::iota(parent.begin(), parent.end(), 0);
+          const auto root = [&parent](unsigned int i) {
+            while (parent[i] != i)
+              i = parent[i] = parent[parent[i]];
+            return i;
+          };
+
+          // Neighbours of (i, j) with smaller numbers: (i, j-1) and (i-1, j-1
+          // to j+1). Parts that run clearly opposite ways do not join.
+          for (unsigned int k = 0; k < n; ++k)
+            for (const auto &offset :
+                 {std::make_pair(0, 1), {1, 1}, {1, 0}, {1, -1}})
+              {
+                CandidatePair neighbour = first[k];
+                neighbour.interval_a -= offset.first;
+                neighbour.interval_b -= offset.second;
+                const CandidatePair *found =
+                  std::lower_bound(first, first + k, neighbour);
+                if (found != first + k && !(neighbour < *found) &&
+                    cosines[k] * cosines[found - first] > -0.1)
+                  parent[root(k)] = root(found - first);
+              }
+          for (unsigned int k = 0; k < n; ++k)
+            parent[k] = root(k);
+          return parent;
+        }
+      } // namespace ProximityZone
+    }   // namespace internal
+
+
+
+    double
+    ProximityZone::guess(const double p) const
+    {
+      // The nearest sample that is also close in p: distance along the zone
+      // counts like distance across.
+      double best = std::numeric_limits<double>::max(), q = 0.;
+      for (const Sample &sample : samples)
+        {
+          const double along = 0.5 * (sample.p - p);
+          const double value = sample.squared_distance + along * along;
+          if (value < best)
+            {
+              best = value;
+              q    = sample.q;
+            }
+        }
+      return q;
+    }
+
+
+
+    std::vector<ProximityZone>
+    find_zones(const CandidatePair *first,
+               const CandidatePair *last,
+               const Curve &        a,
+               const Curve &        b)
+    {
+      const unsigned int  n = last - first;
+      std::vector<double> cosines(n);
+      for (unsigned int k = 0; k < n; ++k)
+        cosines[k] = internal::ProximityZone::cosine(
+          a, first[k].interval_a, b, first[k].interval_b);
+      const std::vector<unsigned int> component =
+        internal::ProximityZone::connect(first, n, cosines);
+
+      std::vector<ProximityZone> zones;
+      for (unsigned int c = 0; c < n; ++c)
+        if (component[c] == c)
+          {
+            ProximityZone zone;
+            zone.fiber_a = first->fiber_a;
+            zone.fiber_b = first->fiber_b;
+
+            double cosine_sum = 0.;
+            for (unsigned int k = 0; k < n; ++k)
+              if (component[k] == c)
+                cosine_sum += cosines[k];
+            zone.orientation = cosine_sum >= 0. ? 1 : -1;
+
+            zone.begin = std::numeric_limits<double>::max();
+            zone.end   = -zone.begin;
+            for (unsigned int k = 0; k < n; ++k)
+              if (component[k] == c)
+                {
+                  const unsigned int i = first[k].interval_a,
+                                     j = first[k].interval_b;
+                  const double sigma   = zone.orientation;
+                  const double s_a =
+                    0.5 * (a.arc_lengths[i] + a.arc_lengths[i + 1]);
+                  const double s_b =
+                    0.5 * (b.arc_lengths[j] + b.arc_lengths[j + 1]);
+                  const double half = a.arc_lengths[i + 1] - s_a +
+                                      b.arc_lengths[j + 1] - s_b;
+                  const double p    = s_a + sigma * s_b;
+                  zone.begin        = std::min(zone.begin, p - half);
+                  zone.end          = std::max(zone.end, p + half);
+
+                  unsigned int       hint_a = i, hint_b = j;
+                  const Tensor<1, 3> connection =
+                    a.evaluate(s_a, hint_a).position -
+                    b.evaluate(s_b, hint_b).position;
+                  zone.samples.push_back(
+                    {p, s_a - sigma * s_b, connection.norm_square()});
+                }
+            zones.push_back(zone);
+          }
+      return zones;
+    }
+  } // namespace Contact
+} // namespace Heddle

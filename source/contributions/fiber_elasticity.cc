@@ -1,0 +1,148 @@
+#include <heddle/contributions/fiber_elasticity.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <array>
+#include <numeric>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    template <typename Action>
+    void
+    FiberElasticity::for_each_element(const System::State &state,
+                                      const Action &       action) const
+    {
+      const auto owned = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        for (unsigned int e = 0; e < space.fiber(f).n_elements; ++e)
+          action(f, e, state.local_block(f) + space.first_block_of_element(e));
+    }
+
+
+
+    FiberElasticity::FiberElasticity(
+      const System::FiberSpace &       space,
+      const std::vector<Tensor<1, 3>> &configuration)
+      : space(space)
+    {
+      const auto   owned      = space.owned_fibers();
+      unsigned int n_elements = 0, block = 0;
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          first_element.push_back(n_elements);
+          n_elements += space.fiber(f).n_elements;
+        }
+      reference.resize(std::size_t(n_elements) * space.element().n_strains());
+      stresses.resize(reference.size());
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          for (unsigned int e = 0; e < space.fiber(f).n_elements; ++e)
+            space.element().strains(configuration.data() + block +
+                                      space.first_block_of_element(e),
+                                    space.element_length(f, e),
+                                    reference.data() + offset(f, e));
+          block += space.n_blocks(f);
+        }
+    }
+
+
+
+    void
+    FiberElasticity::begin_step(System::State &)
+    {
+      predicted = false;
+    }
+
+
+
+    void
+    FiberElasticity::add_pattern(const System::State &         state,
+                                 System::BlockSystem::Pattern &pattern)
+    {
+      std::array<unsigned int, Beam::Element::max_blocks> blocks;
+      for_each_element(
+        state, [&](unsigned int, unsigned int, const unsigned int first) {
+          std::iota(blocks.begin(), blocks.end(), first);
+          pattern.couple(space.element().n_blocks(), blocks.data());
+        });
+    }
+
+
+
+    void
+    FiberElasticity::assemble(const System::State &state,
+                              System::BlockSystem &system)
+    {
+      constexpr unsigned int max_dofs = 3 * Beam::Element::max_blocks;
+      std::array<unsigned int, Beam::Element::max_blocks> blocks;
+      std::array<double, max_dofs>                        residual;
+      std::array<double, max_dofs * max_dofs>             tangent;
+
+      const Beam::Element &element = space.element();
+      for_each_element(
+        state,
+        [&](const unsigned int f, const unsigned int e, unsigned int first) {
+          element.assemble(space.fiber(f).section,
+                           state.current().data() + first,
+                           space.element_length(f, e),
+                           reference_strains(f, e),
+                           predicted ? stresses.data() + offset(f, e) : nullptr,
+                           residual.data(),
+                           system.wants_tangent() ? tangent.data() : nullptr);
+          std::iota(blocks.begin(), blocks.end(), first);
+          system.add(
+            element.n_blocks(), blocks.data(), residual.data(), tangent.data());
+        });
+    }
+
+
+
+    void
+    FiberElasticity::predict(const System::State &    state,
+                             const System::Increment &increment)
+    {
+      for_each_element(
+        state,
+        [&](const unsigned int f, const unsigned int e, unsigned int first) {
+          space.element().predict_stresses(space.fiber(f).section,
+                                           state.current().data() + first,
+                                           increment.data() + first,
+                                           space.element_length(f, e),
+                                           reference_strains(f, e),
+                                           stresses.data() + offset(f, e));
+        });
+      predicted = true;
+    }
+
+
+
+    void
+    FiberElasticity::report(const System::State &          state,
+                            std::map<std::string, double> &values) const
+    {
+      std::array<double, 5> energy = {};
+      for_each_element(
+        state,
+        [&](const unsigned int f, const unsigned int e, unsigned int first) {
+          const Beam::Element::EnergySplit split =
+            space.element().energy_split(space.fiber(f).section,
+                                         state.current().data() + first,
+                                         space.element_length(f, e),
+                                         reference_strains(f, e));
+          energy[0] += split.axial;
+          energy[1] += split.bending;
+          energy[2] += split.shear;
+          energy[3] += split.torsion;
+          energy[4] += split.section;
+        });
+      Utilities::MPI::sum(energy, space.communicator(), energy);
+      values["axial_energy[N*mm]"]   = energy[0];
+      values["bending_energy[N*mm]"] = energy[1];
+      values["shear_energy[N*mm]"]   = energy[2];
+      values["torsion_energy[N*mm]"] = energy[3];
+      values["section_energy[N*mm]"] = energy[4];
+    }
+  } // namespace Contributions
+} // namespace Heddle

@@ -1,0 +1,37 @@
+#include <heddle/base/command_line.h>
+#include <heddle/base/guard.h>
+#include <heddle/base/log.h>
+#include <heddle/simulation/run.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+#include <vector>
+
+int
+main(int argc, char *argv[])
+{
+  std::vector<std::string> arguments(argv, argv + argc);
+  std::vector<std::string> petsc = Heddle::take_petsc_arguments(arguments);
+  std::vector<char *>      petsc_argv;
+  for (std::string &argument : petsc)
+    petsc_argv.push_back(argument.data());
+  petsc_argv.push_back(nullptr);
+  int    petsc_argc   = petsc.size();
+  char **petsc_values = petsc_argv.data();
+
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(petsc_argc,
+                                                     petsc_values,
+                                                     /*max_num_threads=*/1);
+
+  // What a scene owns is gone before MPI and PETSc are.
+  return Heddle::guarded(
+    [&arguments]() {
+      const auto command_line = Heddle::parse_command_line(arguments);
+      if (command_line.task == Heddle::CommandLine::Task::print_text)
+        Heddle::Log(MPI_COMM_WORLD) << command_line.text << std::flush;
+      else
+        Heddle::Simulation::run(command_line, MPI_COMM_WORLD);
+    },
+    MPI_COMM_WORLD);
+}

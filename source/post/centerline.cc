@@ -1,0 +1,72 @@
+#include <heddle/post/centerline.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <array>
+
+namespace Heddle
+{
+  namespace Post
+  {
+    Polyline
+    centerline(const System::State &state,
+               const unsigned int   f,
+               const unsigned int   n_pieces)
+    {
+      Assert(state.has(f), ExcMessage("This rank does not have the fiber."));
+
+      const System::FiberSpace &space   = state.space;
+      const unsigned int        n_nodes = space.fiber(f).n_nodes;
+      const double             *nodes   = space.node_positions(f);
+      Polyline                  positions(n_nodes);
+      Polyline                  tangents(n_nodes);
+      space.centerline_knots(
+        f, state.fiber(f), positions.data(), tangents.data());
+
+      Polyline line(1, positions[0]);
+      for (unsigned int i = 0; i + 1 < n_nodes; ++i)
+        for (unsigned int k = 1; k <= n_pieces; ++k)
+          {
+            const double h = nodes[i + 1] - nodes[i];
+            const double s = static_cast<double>(k) / n_pieces;
+            const double r = 1. - s;
+            line.push_back(r * r * (1. + 2. * s) * positions[i] +
+                           s * s * (1. + 2. * r) * positions[i + 1] +
+                           h * s * r * (r * tangents[i] - s * tangents[i + 1]));
+          }
+      return line;
+    }
+
+
+
+    std::vector<Polyline>
+    gather_centerlines(const System::State &state, const unsigned int n_pieces)
+    {
+      // Plain numbers travel; the number of points per fiber is known.
+      std::vector<std::array<double, 3>> own;
+      const auto                         range = state.space.owned_fibers();
+      for (unsigned int f = range.first; f < range.second; ++f)
+        for (const Tensor<1, 3> &point : centerline(state, f, n_pieces))
+          own.push_back({{point[0], point[1], point[2]}});
+
+      const auto all =
+        Utilities::MPI::gather(state.space.communicator(), own, /*root=*/0);
+
+      std::vector<Polyline> lines;
+      unsigned int          f = 0;
+      for (const auto &points_of_rank : all)
+        for (unsigned int begin = 0; begin < points_of_rank.size(); ++f)
+          {
+            const unsigned int n_points =
+              (state.space.fiber(f).n_nodes - 1) * n_pieces + 1;
+            lines.emplace_back();
+            for (unsigned int k = begin; k < begin + n_points; ++k)
+              lines.back().push_back(Tensor<1, 3>({points_of_rank[k][0],
+                                                   points_of_rank[k][1],
+                                                   points_of_rank[k][2]}));
+            begin += n_points;
+          }
+      return lines;
+    }
+  } // namespace Post
+} // namespace Heddle

@@ -1,0 +1,127 @@
+#include <heddle/post/convex_hull.h>
+#include <heddle/post/yarn_section.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Heddle
+{
+  namespace Post
+  {
+    namespace
+    {
+      /** A fiber axis as it passes through a plane. */
+      struct Passage
+      {
+        bool         found = false;
+        Tensor<1, 3> point;
+        double       cosine = 1.; /**< between fiber and normal */
+      };
+
+
+
+      Passage
+      pass(const Polyline &fiber, const CuttingPlane &plane)
+      {
+        Passage passage;
+        double  nearest = std::numeric_limits<double>::max();
+        for (unsigned int s = 0; s + 1 < fiber.size(); ++s)
+          {
+            const double before = (fiber[s] - plane.point) * plane.normal;
+            const double after  = (fiber[s + 1] - plane.point) * plane.normal;
+            if (before * after > 0. || before == after)
+              continue;
+            const Tensor<1, 3> chord = fiber[s + 1] - fiber[s];
+            const Tensor<1, 3> point =
+              fiber[s] + before / (before - after) * chord;
+            if ((point - plane.point).norm() < nearest)
+              {
+                nearest        = (point - plane.point).norm();
+                passage.found  = true;
+                passage.point  = point;
+                passage.cosine = std::abs(chord * plane.normal) / chord.norm();
+              }
+          }
+        return passage;
+      }
+
+
+
+      /** Extent and hull of circles about the points of @p section. */
+      void
+      measure(YarnSection &section, const std::vector<double> &radii)
+      {
+        // Polygons of equal area stand for the circles: the hull is then exact
+        // to 1e-3 of a fiber's section.
+        constexpr unsigned int n_corners = 64;
+        const double           angle     = 2. * numbers::PI / n_corners;
+        const double           stretch   = std::sqrt(angle / std::sin(angle));
+
+        std::vector<Point<2>> corners;
+        double                left = 1e300, right = -1e300;
+        double                bottom = 1e300, top = -1e300;
+        for (unsigned int i = 0; i < radii.size(); ++i)
+          {
+            const Point<2> &p = section.points[i];
+            left              = std::min(left, p[0] - radii[i]);
+            right             = std::max(right, p[0] + radii[i]);
+            bottom            = std::min(bottom, p[1] - radii[i]);
+            top               = std::max(top, p[1] + radii[i]);
+            for (unsigned int k = 0; k < n_corners; ++k)
+              corners.emplace_back(
+                p[0] + stretch * radii[i] * std::cos(k * angle),
+                p[1] + stretch * radii[i] * std::sin(k * angle));
+          }
+        section.width     = right - left;
+        section.height    = top - bottom;
+        section.hull_area = polygon_area(convex_hull(corners));
+      }
+    } // namespace
+
+
+
+    YarnSection
+    cut_yarn(const std::vector<Polyline> &fibers,
+             const std::vector<double>   &radii,
+             const CuttingPlane          &plane)
+    {
+      AssertDimension(fibers.size(), radii.size());
+
+      Tensor<1, 3> vertical;
+      vertical[2]         = 1.;
+      Tensor<1, 3> across = cross_product_3d(vertical, plane.normal);
+      Assert(across.norm() > 0., ExcMessage("A yarn runs through the fabric."));
+      across /= across.norm();
+      const Tensor<1, 3> up = cross_product_3d(plane.normal, across);
+
+      YarnSection         section;
+      std::vector<double> radii_found;
+      for (unsigned int f = 0; f < fibers.size(); ++f)
+        {
+          const Passage passage = pass(fibers[f], plane);
+          if (!passage.found)
+            {
+              ++section.n_missing;
+              continue;
+            }
+          const Tensor<1, 3> place = passage.point - plane.point;
+          section.points.emplace_back(place * across, place * up);
+          section.centroid += Tensor<1, 2>({place * across, place * up});
+          section.center += passage.point;
+          section.fiber_area +=
+            numbers::PI * radii[f] * radii[f] / passage.cosine;
+          radii_found.push_back(radii[f]);
+        }
+      if (section.points.empty())
+        return section;
+      section.centroid /= section.points.size();
+      section.center /= section.points.size();
+      measure(section, radii_found);
+      return section;
+    }
+  } // namespace Post
+} // namespace Heddle

@@ -1,0 +1,136 @@
+#include <heddle/simulation/fiber_placement.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** A unit vector normal to @p tangent. */
+      Tensor<1, 3>
+      any_normal(const Tensor<1, 3> &tangent)
+      {
+        // Away from the axis of space that is closest to the tangent.
+        unsigned int smallest = 0;
+        for (unsigned int d = 1; d < 3; ++d)
+          if (std::abs(tangent[d]) < std::abs(tangent[smallest]))
+            smallest = d;
+        Tensor<1, 3> axis;
+        axis[smallest] = 1.;
+        axis -= (axis * tangent) / tangent.norm_square() * tangent;
+        return axis / axis.norm();
+      }
+
+
+
+      template <typename PointsOfFiber>
+      std::vector<Tensor<1, 3>>
+      place_owned(const System::FiberSpace &space, const PointsOfFiber &points)
+      {
+        std::vector<Tensor<1, 3>> blocks(space.owned_blocks().second -
+                                         space.owned_blocks().first);
+        unsigned int              begin = 0;
+        for (unsigned int f = space.owned_fibers().first;
+             f < space.owned_fibers().second;
+             ++f)
+          {
+            place_fiber(space, f, points(f), blocks.data() + begin);
+            begin += space.n_blocks(f);
+          }
+        return blocks;
+      }
+    } // namespace
+
+
+
+    std::unique_ptr<System::FiberSpace>
+    make_space(const std::vector<Textile::FiberPath> &paths,
+               const FiberParameters &                parameters,
+               const MPI_Comm                         communicator)
+    {
+      auto               element     = parameters.element();
+      const unsigned int per_element = element->n_nodes() - 1;
+      std::vector<System::FiberSpace::Description> descriptions;
+      for (const Textile::FiberPath &path : paths)
+        {
+          Assert((path.points.size() - 1) % per_element == 0,
+                 ExcMessage("A path has no whole number of elements."));
+          const unsigned int n_elements =
+            (path.points.size() - 1) / per_element;
+          descriptions.push_back(
+            {std::vector<double>(n_elements,
+                                 path.reference_length / n_elements),
+             path.radius,
+             path.yarn_id,
+             path.bundle_id,
+             path.set,
+             parameters.section(path.radius)});
+        }
+      return std::make_unique<System::FiberSpace>(communicator,
+                                                  std::move(element),
+                                                  descriptions);
+    }
+
+
+
+    void
+    place_fiber(const System::FiberSpace &       space,
+                const unsigned int               fiber,
+                const std::vector<Tensor<1, 3>> &points,
+                Tensor<1, 3> *                   blocks)
+    {
+      const unsigned int n = points.size();
+      AssertDimension(n, space.fiber(fiber).n_nodes);
+      Tensor<1, 3> normal;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          Tensor<1, 3> tangent;
+          for (const auto &weight : space.tangent_weights(fiber, i))
+            tangent += weight.second * points[weight.first];
+          Tensor<1, 3> *node = blocks + i * space.n_blocks_per_node();
+          node[0]            = points[i];
+          if (space.n_blocks_per_node() == 2)
+            {
+              node[1] = tangent;
+              continue;
+            }
+
+          // The normal of the node before, turned into this section.
+          if (i == 0)
+            normal = any_normal(tangent);
+          normal -= (normal * tangent) / tangent.norm_square() * tangent;
+          normal /= normal.norm();
+          node[1] = normal;
+          node[2] = cross_product_3d(tangent / tangent.norm(), normal);
+        }
+    }
+
+
+
+    std::vector<Tensor<1, 3>>
+    place_on_paths(const System::FiberSpace &             space,
+                   const std::vector<Textile::FiberPath> &paths)
+    {
+      return place_owned(space, [&paths](const unsigned int f) {
+        return paths[f].points;
+      });
+    }
+
+
+
+    std::vector<Tensor<1, 3>>
+    place_straight(const System::FiberSpace &space)
+    {
+      return place_owned(space, [&space](const unsigned int f) {
+        std::vector<Tensor<1, 3>> points(space.fiber(f).n_nodes);
+        for (unsigned int i = 0; i < points.size(); ++i)
+          points[i][0] = space.node_positions(f)[i];
+        return points;
+      });
+    }
+  } // namespace Simulation
+} // namespace Heddle

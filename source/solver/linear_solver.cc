@@ -1,0 +1,127 @@
+#include <heddle/solver/linear_solver.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    namespace
+    {
+      bool
+      choose_direct(const LinearSolverParameters &parameters,
+                    const System::BlockSystem &   system)
+      {
+        if (parameters.kind != "automatic")
+          return parameters.kind == "direct";
+        return !system.is_symmetric() ||
+               system.state.space.n_dofs() < parameters.direct_below;
+      }
+    } // namespace
+
+
+
+    LinearSolverParameters::LinearSolverParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      add_parameter("Kind",
+                    kind,
+                    "'direct': sparse factorization by MUMPS. 'fiber blocks': "
+                    "conjugate gradients preconditioned by one banded "
+                    "factorization per fiber. 'automatic': direct for few "
+                    "unknowns [-].",
+                    prm,
+                    Patterns::Selection("automatic|direct|fiber blocks"));
+      add_parameter("Tolerance",
+                    tolerance,
+                    "Reduction of the residual's energy norm by an iterative "
+                    "solver in each Newton iteration. Inactive for 'direct' "
+                    "[-].",
+                    prm,
+                    Patterns::Double(1e-14, 0.9));
+      add_parameter("Maximum iterations",
+                    max_iterations,
+                    "Iterations after which an iterative solver hands over what "
+                    "it has. Inactive for 'direct' [-].",
+                    prm,
+                    Patterns::Integer(1));
+      add_parameter("Direct below",
+                    direct_below,
+                    "Number of unknowns below which 'automatic' chooses "
+                    "'direct' [-].",
+                    prm,
+                    Patterns::Integer(0));
+    }
+
+
+
+    LinearSolver::LinearSolver(const LinearSolverParameters &parameters,
+                               const System::BlockSystem &   system)
+      : parameters(parameters)
+      , system(system)
+      , direct(choose_direct(parameters, system))
+    {
+      KSPCreate(system.state.space.communicator(), &ksp);
+      PC pc;
+      KSPGetPC(ksp, &pc);
+      if (direct)
+        {
+          KSPSetType(ksp, KSPPREONLY);
+          PCSetType(pc, system.is_symmetric() ? PCCHOLESKY : PCLU);
+          PCFactorSetMatSolverType(pc, MATSOLVERMUMPS);
+        }
+      else
+        {
+          KSPSetType(ksp, KSPCG);
+          KSPSetNormType(ksp, KSP_NORM_NATURAL);
+          KSPSetTolerances(ksp,
+                           parameters.tolerance,
+                           PETSC_DEFAULT,
+                           PETSC_DEFAULT,
+                           parameters.max_iterations);
+          fiber_blocks = std::make_unique<FiberBlocks>(system.state);
+          fiber_blocks->attach_to(pc);
+        }
+      KSPSetFromOptions(ksp);
+    }
+
+
+
+    LinearSolver::~LinearSolver()
+    {
+      KSPDestroy(&ksp);
+    }
+
+
+
+    std::string
+    LinearSolver::name() const
+    {
+      if (!direct)
+        return "conjugate gradients with fiber blocks";
+      return system.is_symmetric() ? "MUMPS LDL^T" : "MUMPS LU";
+    }
+
+
+
+    LinearResult
+    LinearSolver::solve()
+    {
+      KSPSetOperators(ksp, system.tangent(), system.tangent());
+      if (fiber_blocks)
+        fiber_blocks->set_up(system.tangent());
+      KSPSolve(ksp, system.right_hand_side(), system.solution());
+
+      LinearResult       result;
+      KSPConvergedReason reason;
+      PetscInt           iterations;
+      KSPGetConvergedReason(ksp, &reason);
+      KSPGetIterationNumber(ksp, &iterations);
+      result.iterations = direct ? 0 : iterations;
+      result.indefinite = reason == KSP_DIVERGED_INDEFINITE_MAT ||
+                          reason == KSP_DIVERGED_INDEFINITE_PC;
+      result.converged  = reason > 0;
+      return result;
+    }
+  } // namespace Solver
+} // namespace Heddle

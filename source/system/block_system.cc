@@ -1,0 +1,314 @@
+#include <heddle/system/block_system.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
+namespace Heddle
+{
+  namespace System
+  {
+    namespace
+    {
+      /** Largest number of blocks of one term: a cubic director element. */
+      constexpr unsigned int max_blocks = 16;
+    } // namespace
+
+
+
+    BlockSystem::BlockSystem(const State &state, const bool symmetric)
+      : state(state)
+      , symmetric(symmetric)
+    {
+      const PetscInt n_owned = 3 * state.n_owned_blocks();
+      VecCreateMPI(
+        state.space.communicator(), n_owned, PETSC_DETERMINE, &increment);
+      VecDuplicate(increment, &rhs);
+    }
+
+
+
+    BlockSystem::~BlockSystem()
+    {
+      MatDestroy(&matrix);
+      VecDestroy(&rhs);
+      VecDestroy(&increment);
+    }
+
+
+
+    void
+    BlockSystem::Pattern::couple(const unsigned int  n,
+                                 const unsigned int *blocks)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        if (blocks[i] < columns.size())
+          for (unsigned int j = 0; j < n; ++j)
+            columns[blocks[i]].push_back(blocks[j]);
+    }
+
+
+
+    void
+    BlockSystem::set_pattern(Pattern &pattern)
+    {
+      const FiberSpace & space   = state.space;
+      const unsigned int n_owned = state.n_owned_blocks();
+      const PetscInt     first   = space.owned_blocks().first;
+
+      global_blocks.resize(state.n_local_blocks());
+      for (unsigned int b = 0; b < n_owned; ++b)
+        global_blocks[b] = first + b;
+      for (const unsigned int f : state.ghost_fibers())
+        for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+          global_blocks[state.local_block(f) + b] = space.first_block(f) + b;
+
+      std::vector<PetscInt> row_begin(1, 0), columns;
+      for (unsigned int row = 0; row < n_owned; ++row)
+        {
+          std::vector<unsigned int> &blocks = pattern.columns[row];
+          blocks.push_back(row);
+          std::sort(blocks.begin(), blocks.end());
+          blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+          const auto begin = columns.size();
+          for (const unsigned int block : blocks)
+            if (!symmetric || global_blocks[block] >= global_blocks[row])
+              columns.push_back(global_blocks[block]);
+          std::sort(columns.begin() + begin, columns.end());
+          row_begin.push_back(columns.size());
+        }
+
+      MatDestroy(&matrix);
+      MatCreate(space.communicator(), &matrix);
+      MatSetSizes(
+        matrix, 3 * n_owned, 3 * n_owned, PETSC_DETERMINE, PETSC_DETERMINE);
+      MatSetType(matrix, symmetric ? MATSBAIJ : MATBAIJ);
+      MatSetBlockSize(matrix, 3);
+      if (symmetric)
+        {
+          MatSeqSBAIJSetPreallocationCSR(
+            matrix, 3, row_begin.data(), columns.data(), nullptr);
+          MatMPISBAIJSetPreallocationCSR(
+            matrix, 3, row_begin.data(), columns.data(), nullptr);
+          MatSetOption(matrix, MAT_IGNORE_LOWER_TRIANGULAR, PETSC_TRUE);
+        }
+      else
+        {
+          MatSeqBAIJSetPreallocationCSR(
+            matrix, 3, row_begin.data(), columns.data(), nullptr);
+          MatMPIBAIJSetPreallocationCSR(
+            matrix, 3, row_begin.data(), columns.data(), nullptr);
+        }
+      MatSetOption(matrix, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE);
+      MatSetOption(matrix, MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE);
+    }
+
+
+
+    void
+    BlockSystem::set_constraints(const std::vector<Constraint> &new_constraints)
+    {
+      constraints = new_constraints;
+      constraint_of_block.assign(state.n_local_blocks(), -1);
+      for (unsigned int c = 0; c < constraints.size(); ++c)
+        constraint_of_block[constraints[c].block] = c;
+    }
+
+
+
+    void
+    BlockSystem::begin(const Want new_want)
+    {
+      want = new_want;
+      constraint_of_block.resize(state.n_local_blocks(), -1);
+      forces.assign(state.n_owned_blocks(), Tensor<1, 3>());
+      if (wants_tangent())
+        {
+          lifting.assign(state.n_owned_blocks(), Tensor<1, 3>());
+          MatZeroEntries(matrix);
+        }
+    }
+
+
+
+    void
+    BlockSystem::add(const unsigned int  n,
+                     const unsigned int *blocks,
+                     const double *      residual,
+                     const double *      tangent)
+    {
+      Assert(n <= max_blocks, ExcInternalError());
+      const unsigned int n_owned = state.n_owned_blocks();
+      for (unsigned int i = 0; i < n; ++i)
+        if (blocks[i] < n_owned)
+          for (unsigned int d = 0; d < 3; ++d)
+            forces[blocks[i]][d] += residual[3 * i + d];
+      if (!wants_tangent())
+        return;
+
+      bool constrained = false;
+      for (unsigned int i = 0; i < n; ++i)
+        constrained = constrained || constraint_of_block[blocks[i]] >= 0;
+      if (constrained)
+        {
+          work.assign(tangent, tangent + 9 * n * n);
+          constrain(n, blocks, work.data());
+          tangent = work.data();
+        }
+
+      // Rows of other ranks are theirs to add: PETSc skips negative rows.
+      std::array<PetscInt, max_blocks> rows, columns;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          columns[i] = global_blocks[blocks[i]];
+          rows[i]    = blocks[i] < n_owned ? columns[i] : -1;
+        }
+      MatSetValuesBlocked(
+        matrix, n, rows.data(), n, columns.data(), tangent, ADD_VALUES);
+    }
+
+
+
+    void
+    BlockSystem::constrain(const unsigned int  n,
+                           const unsigned int *blocks,
+                           double *            tangent)
+    {
+      const unsigned int size = 3 * n;
+      for (unsigned int i = 0; i < n; ++i)
+        if (constraint_of_block[blocks[i]] >= 0)
+          {
+            const Constraint &constraint =
+              constraints[constraint_of_block[blocks[i]]];
+            // Turn rows and columns of this block into its frame, ...
+            for (unsigned int j = 0; j < size; ++j)
+              {
+                Tensor<1, 3> row, column;
+                for (unsigned int d = 0; d < 3; ++d)
+                  column[d] = tangent[j * size + 3 * i + d];
+                column = constraint.frame * column;
+                for (unsigned int d = 0; d < 3; ++d)
+                  tangent[j * size + 3 * i + d] = column[d];
+              }
+            for (unsigned int j = 0; j < size; ++j)
+              {
+                Tensor<1, 3> row;
+                for (unsigned int d = 0; d < 3; ++d)
+                  row[d] = tangent[(3 * i + d) * size + j];
+                row = constraint.frame * row;
+                for (unsigned int d = 0; d < 3; ++d)
+                  tangent[(3 * i + d) * size + j] = row[d];
+              }
+          }
+
+      for (unsigned int i = 0; i < n; ++i)
+        if (constraint_of_block[blocks[i]] >= 0)
+          {
+            const Constraint &constraint =
+              constraints[constraint_of_block[blocks[i]]];
+            for (unsigned int d = 0; d < 3; ++d)
+              if (constraint.fixed[d])
+                {
+                  // ... and take prescribed motion to the right-hand side.
+                  const unsigned int column = 3 * i + d;
+                  for (unsigned int j = 0; j < size; ++j)
+                    {
+                      if (blocks[j / 3] < state.n_owned_blocks())
+                        lifting[blocks[j / 3]][j % 3] +=
+                          tangent[j * size + column] * constraint.pending[d];
+                      tangent[j * size + column] = 0.;
+                      tangent[column * size + j] = 0.;
+                    }
+                }
+          }
+    }
+
+
+
+    void
+    BlockSystem::add_diagonal(const unsigned int block, const double value)
+    {
+      const PetscInt row = global_blocks[block];
+      double         values[9] = {value, 0., 0., 0., value, 0., 0., 0., value};
+      const int      c         = constraint_of_block[block];
+      if (c >= 0)
+        for (unsigned int d = 0; d < 3; ++d)
+          if (constraints[c].fixed[d])
+            values[4 * d] = 0.;
+      MatSetValuesBlocked(matrix, 1, &row, 1, &row, values, ADD_VALUES);
+    }
+
+
+
+    void
+    BlockSystem::end()
+    {
+      if (!wants_tangent())
+        return;
+
+      // The right-hand side in the frames of the constraints; a prescribed
+      // component has the equation 1 * motion = pending.
+      double *values;
+      VecGetArray(rhs, &values);
+      for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)
+        for (unsigned int d = 0; d < 3; ++d)
+          values[3 * b + d] = -forces[b][d] - lifting[b][d];
+      for (const Constraint &constraint : constraints)
+        if (constraint.block < state.n_owned_blocks())
+          {
+            const unsigned int b        = constraint.block;
+            const Tensor<1, 3> in_frame = constraint.frame * forces[b];
+            double             diagonal[9] = {};
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                values[3 * b + d] = constraint.fixed[d] ?
+                                      constraint.pending[d] :
+                                      -in_frame[d] - lifting[b][d];
+                diagonal[4 * d] = constraint.fixed[d] ? 1. : 0.;
+              }
+            const PetscInt row = global_blocks[b];
+            MatSetValuesBlocked(matrix, 1, &row, 1, &row, diagonal, ADD_VALUES);
+          }
+      VecRestoreArray(rhs, &values);
+      MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY);
+      MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY);
+    }
+
+
+
+    void
+    BlockSystem::unbalanced(std::vector<Tensor<1, 3>> &values) const
+    {
+      values = forces;
+      for (const Constraint &constraint : constraints)
+        if (constraint.block < state.n_owned_blocks())
+          {
+            Tensor<1, 3> &force = values[constraint.block];
+            force               = constraint.frame * force;
+            for (unsigned int d = 0; d < 3; ++d)
+              if (constraint.fixed[d])
+                force[d] = 0.;
+            force = transpose(constraint.frame) * force;
+          }
+    }
+
+
+
+    void
+    BlockSystem::extract_increment(std::vector<Tensor<1, 3>> &values) const
+    {
+      values.resize(state.n_local_blocks());
+      const double *solution;
+      VecGetArrayRead(increment, &solution);
+      for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)
+        for (unsigned int d = 0; d < 3; ++d)
+          values[b][d] = solution[3 * b + d];
+      VecRestoreArrayRead(increment, &solution);
+      for (const Constraint &constraint : constraints)
+        if (constraint.block < state.n_owned_blocks())
+          values[constraint.block] =
+            transpose(constraint.frame) * values[constraint.block];
+      state.update_ghosts(values);
+    }
+  } // namespace System
+} // namespace Heddle

@@ -1,0 +1,183 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/textile/csv_table.h>
+#include <heddle/textile/curve.h>
+#include <heddle/textile/path_reader.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+
+namespace Heddle
+{
+  namespace Textile
+  {
+    namespace
+    {
+      /** The points of one fiber, scaled, and where the file speaks of it. */
+      struct RawFiber
+      {
+        std::string               name;
+        std::vector<Tensor<1, 3>> points;
+        double                    sum_of_radii = 0.;
+        std::string               set;
+        unsigned int              first_line = 0;
+      };
+
+
+
+      void
+      check(const PathReading &reading)
+      {
+        const auto refuse = [](const std::string &what, const double value) {
+          throw InputError("Fibers from a file: the " + what + " is " +
+                           std::to_string(value) + " mm; it must be positive.");
+        };
+        // A number compares false with everything if it is not one.
+        if (!(reading.element_length > 0.))
+          refuse("element length", reading.element_length);
+        if (!(reading.scale > 0.))
+          refuse("scale", reading.scale);
+        if (!(reading.radius >= 0.))
+          refuse("fiber radius", reading.radius);
+      }
+
+
+
+      double
+      radius_of_line(const CsvTable &table, const PathReading &reading)
+      {
+        if (reading.radius > 0.)
+          return reading.radius;
+        const double radius = table.number("radius");
+        if (radius <= 0.)
+          table.fail("the radius is " + table.text("radius") +
+                     "; it must be positive.");
+        return reading.scale * radius;
+      }
+
+
+
+      /** Add the point of the current line to its fiber. */
+      void
+      add_point(const CsvTable    &table,
+                const PathReading &reading,
+                RawFiber          &fiber)
+      {
+        const Tensor<1, 3> point(
+          {table.number("x"), table.number("y"), table.number("z")});
+        const std::string set = table.has("set") ? table.text("set") : "";
+
+        if (fiber.points.empty())
+          {
+            fiber.name       = table.text("fiber");
+            fiber.set        = set;
+            fiber.first_line = table.line();
+          }
+        else if (fiber.set != set)
+          table.fail("fiber '" + fiber.name + "' belongs to set '" + set +
+                     "' here but to '" + fiber.set +
+                     "' before; give all its points the same set.");
+        else if ((reading.scale * point - fiber.points.back()).norm() == 0.)
+          table.fail("fiber '" + fiber.name +
+                     "' has the same point twice in a row; remove one.");
+
+        fiber.points.push_back(reading.scale * point);
+        fiber.sum_of_radii += radius_of_line(table, reading);
+      }
+
+
+
+      std::vector<RawFiber>
+      read_points(std::istream      &input,
+                  const std::string &name,
+                  const PathReading &reading)
+      {
+        CsvTable table(
+          input, name, {"fiber", "x", "y", "z"}, {"radius", "set"});
+        if (reading.radius == 0. && !table.has("radius"))
+          table.fail("there is no column 'radius' and no radius was given; add "
+                     "the column, or set the radius of all fibers.");
+
+        std::vector<RawFiber>               fibers;
+        std::map<std::string, unsigned int> numbers;
+        while (table.next())
+          {
+            const std::string word = table.text("fiber");
+            if (word.empty())
+              table.fail("the name of the fiber is missing; give a word or a "
+                         "number in column 'fiber'.");
+            const auto place = numbers.emplace(word, fibers.size());
+            if (place.second)
+              fibers.emplace_back();
+            add_point(table, reading, fibers[place.first->second]);
+          }
+        if (fibers.empty())
+          throw InputError(name + ": there are no points below the header; "
+                                  "give at least two for each fiber.");
+        return fibers;
+      }
+
+
+
+      FiberPath
+      resample(const RawFiber    &fiber,
+               const std::string &name,
+               const PathReading &reading)
+      {
+        if (fiber.points.size() < 2)
+          throw InputError(name + ":" + std::to_string(fiber.first_line) +
+                           ": fiber '" + fiber.name +
+                           "' has only one point; give at least two.");
+
+        const InterpolatedCurve curve(fiber.points, reading.interpolation);
+        const unsigned int      n_samples = 64 * (fiber.points.size() - 1);
+        const double            length =
+          equally_spaced(curve, 0., curve.end(), 2, n_samples).length;
+        const double n_elements =
+          std::max(1., std::round(length / reading.element_length));
+        if (n_elements > 1e6)
+          throw InputError(name + ":" + std::to_string(fiber.first_line) +
+                           ": fiber '" + fiber.name + "' is " +
+                           std::to_string(length) +
+                           " mm long and would get more than a million "
+                           "elements; enlarge the element length.");
+
+        const Knots knots =
+          equally_spaced(curve, 0., curve.end(), n_elements + 1, n_samples);
+        FiberPath path;
+        path.points           = knots.points;
+        path.reference_length = knots.length;
+        path.radius           = fiber.sum_of_radii / fiber.points.size();
+        path.set              = fiber.set;
+        return path;
+      }
+    } // namespace
+
+
+
+    std::vector<FiberPath>
+    read_paths(std::istream      &input,
+               const std::string &name,
+               const PathReading &reading)
+    {
+      check(reading);
+      std::vector<FiberPath> paths;
+      for (const RawFiber &fiber : read_points(input, name, reading))
+        paths.push_back(resample(fiber, name, reading));
+      return paths;
+    }
+
+
+
+    std::vector<FiberPath>
+    read_paths(const std::string &file_name, const PathReading &reading)
+    {
+      std::ifstream input(file_name);
+      if (!input)
+        throw InputError(file_name + ": the file cannot be opened; check its "
+                                     "name, which counts from the folder in "
+                                     "which the program runs.");
+      return read_paths(input, file_name, reading);
+    }
+  } // namespace Textile
+} // namespace Heddle
