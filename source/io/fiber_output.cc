@@ -1,5 +1,7 @@
 #include <heddle/io/fiber_output.h>
 
+#include <deal.II/grid/reference_cell.h>
+
 #include <algorithm>
 
 namespace Heddle
@@ -190,6 +192,7 @@ namespace Heddle
       const unsigned int  n_rows = 3 + 6 + helpers::n_section_values + 3;
       PatchFile<1>::Patch patch;
       patch.n_subdivisions       = stations.size() - 1;
+      patch.reference_cell       = ReferenceCells::Line;
       patch.points_are_available = true;
       patch.data.reinit(n_rows, stations.size());
 
