@@ -2,7 +2,6 @@
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/numbers.h>
-
 #include <deal.II/boost_adaptors/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
@@ -37,10 +36,10 @@ namespace Heddle
           Point<3> low, high;
           for (unsigned int d = 0; d < 3; ++d)
             {
-              low[d]  = std::min({control[0][d],
-                                  control[1][d],
-                                  control[2][d],
-                                  control[3][d]}) -
+              low[d] = std::min({control[0][d],
+                                 control[1][d],
+                                 control[2][d],
+                                 control[3][d]}) -
                        margin;
               high[d] = std::max({control[0][d],
                                   control[1][d],
@@ -89,11 +88,11 @@ namespace Heddle
       std::vector<Entry> entries;
       for (unsigned int c = 0; c < curves.size(); ++c)
         for (unsigned int i = 0; i + 1 < curves[c].curve.n_knots; ++i)
-          entries.emplace_back(box(curves[c].curve,
-                                   i,
-                                   curves[c].curve.radius +
-                                     0.5 * search_distance),
-                               Interval{c, i});
+          entries.emplace_back(
+            box(curves[c].curve,
+                i,
+                curves[c].curve.radius + 0.5 * search_distance),
+            Interval{c, i});
       const boost::geometry::index::rtree<Entry, bgi::linear<16>> tree(entries);
 
       std::vector<CandidatePair> candidates;

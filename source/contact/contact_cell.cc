@@ -62,12 +62,11 @@ namespace Heddle
           double     t     = 0.5 * (low + high);
           for (unsigned int iteration = 0; iteration < 60; ++iteration)
             {
-              const double value = f(t);
+              const double value                   = f(t);
               ((value > 0.) == falls ? low : high) = t;
-              const double newton = t - value / f.slope(t);
-              const double next   = (newton > low && newton < high) ?
-                                      newton :
-                                      0.5 * (low + high);
+              const double newton                  = t - value / f.slope(t);
+              const double next =
+                (newton > low && newton < high) ? newton : 0.5 * (low + high);
               if (std::abs(next - t) < 1e-14)
                 return next;
               t = next;
@@ -97,7 +96,7 @@ namespace Heddle
     {
       /** One element at @p p; returns its gap. */
       double
-      place_element(const IntermediateGeometry & geometry,
+      place_element(const IntermediateGeometry  &geometry,
                     const double                 p,
                     double                       q,
                     const double                 weight,
@@ -105,11 +104,11 @@ namespace Heddle
       {
         const FacingParticles particles = geometry.facing(p, q);
         ContactElement        element   = {};
-        const double distance           = std::sqrt(particles.squared_distance);
+        const double          distance  = std::sqrt(particles.squared_distance);
         element.s_a                     = particles.s_a;
         element.s_b                     = particles.s_b;
         element.weight                  = weight;
-        element.gap = distance - geometry.a.radius - geometry.b.radius;
+        element.gap    = distance - geometry.a.radius - geometry.b.radius;
         element.normal = particles.connection / distance;
         elements.push_back(element);
         return element.gap;
@@ -119,9 +118,9 @@ namespace Heddle
 
 
     double
-    place_elements(const IntermediateGeometry & geometry,
-                   const CellEnd &              begin,
-                   const CellEnd &              end,
+    place_elements(const IntermediateGeometry  &geometry,
+                   const CellEnd               &begin,
+                   const CellEnd               &end,
                    std::vector<ContactElement> &elements)
     {
       using namespace internal::ContactCell;
@@ -134,7 +133,8 @@ namespace Heddle
       // The control polygon bounds the cubic: most cells end here.
       if (std::min({f0, f0 + m0 / 3., f1 - m1 / 3., f1}) >= 0.)
         return 0.;
-      const Cubic f = {f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
+      const Cubic f = {
+        f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
 
       std::array<double, 2> stationary;
       const unsigned int    n_stationary = stationary_points(f, stationary);
@@ -175,13 +175,12 @@ namespace Heddle
                 {
                   const double t = middle + x * half;
                   // p measures twice the length of the intermediate curve.
-                  deepest = std::max(
-                    deepest,
-                    -place_element(geometry,
-                                   begin.p + t * size,
-                                   guess(t),
-                                   0.5 * half * size,
-                                   elements));
+                  deepest = std::max(deepest,
+                                     -place_element(geometry,
+                                                    begin.p + t * size,
+                                                    guess(t),
+                                                    0.5 * half * size,
+                                                    elements));
                 }
             }
           low = high;
@@ -190,7 +189,7 @@ namespace Heddle
       for (unsigned int k = 0; k < n_stationary; ++k)
         if (f(stationary[k]) < 0.)
           {
-            double q = guess(stationary[k]);
+            double                q = guess(stationary[k]);
             const FacingParticles particles =
               geometry.facing(begin.p + stationary[k] * size, q);
             deepest =

@@ -7,13 +7,14 @@ namespace Heddle
     ContactParameters::ContactParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter("Penetration threshold",
-                    threshold,
-                    "Largest penetration of two fibers that is accepted, as a "
-                    "part of the smaller radius. Penalties are adapted in every "
-                    "proximity zone until it is met [-].",
-                    prm,
-                    Patterns::Double(1e-4, 0.2));
+      add_parameter(
+        "Penetration threshold",
+        threshold,
+        "Largest penetration of two fibers that is accepted, as a "
+        "part of the smaller radius. Penalties are adapted in every "
+        "proximity zone until it is met [-].",
+        prm,
+        Patterns::Double(1e-4, 0.2));
       add_parameter("Search distance",
                     search_distance,
                     "Surfaces closer than this are watched for contact, as a "
@@ -24,9 +25,8 @@ namespace Heddle
                     Patterns::Double(0.1, 4.));
       add_parameter("Refinement",
                     refinement,
-                    "Number of contact cells in the length that one cell has by "
-                    "default: two intervals between fiber nodes, or one where "
-                    "those are longer than seven radii [-].",
+                    "Number of contact cells in one interval between the nodes "
+                    "of a fiber; where fibers cross there are more [-].",
                     prm,
                     Patterns::Double(0.25, 16.));
     }

@@ -36,14 +36,14 @@ namespace Heddle
     FacingParticles
     IntermediateGeometry::facing(const double p, double &q) const
     {
-      const auto     bounds = range_of_q(p);
-      const double   sigma  = orientation;
-      const double   scale  = a.radius + b.radius;
+      const auto      bounds = range_of_q(p);
+      const double    sigma  = orientation;
+      const double    scale  = a.radius + b.radius;
       FacingParticles result;
       result.interval_a = result.interval_b = 0;
 
       // Start where these arc lengths lie in fibers of equal intervals.
-      q = std::min(std::max(q, bounds.first), bounds.second);
+      q                = std::min(std::max(q, bounds.first), bounds.second);
       const auto guess = [](const Curve &curve, const double s) {
         const double i = s / curve.length() * (curve.n_knots - 1);
         return std::min<unsigned int>(curve.n_knots - 2, std::max(0., i));
@@ -67,21 +67,20 @@ namespace Heddle
             0.5 * (result.connection * (point_a.curvature - point_b.curvature));
           const double stiffness =
             std::max(convex + curved, 0.2 * convex + 1e-3);
-          double step =
-            std::min(std::max(-force / stiffness, -scale), scale);
+          double step = std::min(std::max(-force / stiffness, -scale), scale);
           step = std::min(std::max(q + step, bounds.first), bounds.second) - q;
           q += step;
           if (std::abs(step) < 1e-11 * scale)
             break;
         }
 
-      result.s_a = 0.5 * (p + q);
-      result.s_b = 0.5 * sigma * (p - q);
+      result.s_a              = 0.5 * (p + q);
+      result.s_b              = 0.5 * sigma * (p - q);
       result.squared_distance = result.connection.norm_square();
 
       // Along p both particles advance by half, but at the end of a fiber only
       // the other one does.
-      double advance_a = 0.5, advance_b = 0.5 * sigma;
+      double       advance_a = 0.5, advance_b = 0.5 * sigma;
       const double tolerance = 1e-9 * scale;
       if (result.s_a < tolerance || result.s_a > a.length() - tolerance)
         advance_a = 0., advance_b = sigma;

@@ -15,9 +15,9 @@ namespace Heddle
       {
         /** Cosine of the angle of two intervals, by their chords. */
         double
-        cosine(const Curve &      a,
+        cosine(const Curve       &a,
                const unsigned int i,
-               const Curve &      b,
+               const Curve       &b,
                const unsigned int j)
         {
           const Tensor<1, 3> u = a.positions[i + 1] - a.positions[i];
@@ -29,7 +29,7 @@ namespace Heddle
 
         /** Number the connected components of the pairs of intervals. */
         std::vector<unsigned int>
-        connect(const CandidatePair *      first,
+        connect(const CandidatePair       *first,
                 const unsigned int         n,
                 const std::vector<double> &cosines)
         {
@@ -89,8 +89,8 @@ namespace Heddle
     std::vector<ProximityZone>
     find_zones(const CandidatePair *first,
                const CandidatePair *last,
-               const Curve &        a,
-               const Curve &        b)
+               const Curve         &a,
+               const Curve         &b)
     {
       const unsigned int  n = last - first;
       std::vector<double> cosines(n);
@@ -108,11 +108,18 @@ namespace Heddle
             zone.fiber_a = first->fiber_a;
             zone.fiber_b = first->fiber_b;
 
-            double cosine_sum = 0.;
+            double       cosine_sum = 0., sine_sum = 0.;
+            unsigned int size = 0;
             for (unsigned int k = 0; k < n; ++k)
               if (component[k] == c)
-                cosine_sum += cosines[k];
+                {
+                  cosine_sum += cosines[k];
+                  sine_sum +=
+                    std::sqrt(std::max(0., 1. - cosines[k] * cosines[k]));
+                  ++size;
+                }
             zone.orientation = cosine_sum >= 0. ? 1 : -1;
+            zone.sine        = sine_sum / size;
 
             zone.begin = std::numeric_limits<double>::max();
             zone.end   = -zone.begin;
@@ -126,11 +133,11 @@ namespace Heddle
                     0.5 * (a.arc_lengths[i] + a.arc_lengths[i + 1]);
                   const double s_b =
                     0.5 * (b.arc_lengths[j] + b.arc_lengths[j + 1]);
-                  const double half = a.arc_lengths[i + 1] - s_a +
-                                      b.arc_lengths[j + 1] - s_b;
-                  const double p    = s_a + sigma * s_b;
-                  zone.begin        = std::min(zone.begin, p - half);
-                  zone.end          = std::max(zone.end, p + half);
+                  const double half =
+                    a.arc_lengths[i + 1] - s_a + b.arc_lengths[j + 1] - s_b;
+                  const double p = s_a + sigma * s_b;
+                  zone.begin     = std::min(zone.begin, p - half);
+                  zone.end       = std::max(zone.end, p + half);
 
                   unsigned int       hint_a = i, hint_b = j;
                   const Tensor<1, 3> connection =

@@ -1,3 +1,4 @@
+#include <heddle/base/reduce.h>
 #include <heddle/contributions/fiber_contact.h>
 
 #include <deal.II/base/mpi.h>
@@ -23,7 +24,7 @@ namespace Heddle
 
 
 
-    FiberContact::FiberContact(const System::FiberSpace &        space,
+    FiberContact::FiberContact(const System::FiberSpace         &space,
                                const Contact::ContactParameters &parameters)
       : space(space)
       , parameters(parameters)
@@ -133,8 +134,8 @@ namespace Heddle
       for (unsigned int f = 0; f < space.n_fibers(); ++f)
         if (state.has(f))
           {
-            const double third = space.fiber(f).length /
-                                 (3. * (space.fiber(f).n_nodes - 1));
+            const double third =
+              space.fiber(f).length / (3. * (space.fiber(f).n_nodes - 1));
             for (unsigned int i = first_knot[f];
                  i < first_knot[f] + space.fiber(f).n_nodes;
                  ++i)
@@ -161,12 +162,12 @@ namespace Heddle
         largest_radius * (1. + 0.5 * parameters.search_distance);
       std::vector<double> boxes(6 * space.n_fibers(),
                                 -std::numeric_limits<double>::max());
-      const auto owned = space.owned_fibers();
+      const auto          owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
           {
-            const double third = space.fiber(f).length /
-                                 (3. * (space.fiber(f).n_nodes - 1));
+            const double third =
+              space.fiber(f).length / (3. * (space.fiber(f).n_nodes - 1));
             const unsigned int k = first_knot[f] + i;
             for (const double side : {-third, 0., third})
               for (unsigned int d = 0; d < 3; ++d)
@@ -209,17 +210,26 @@ namespace Heddle
 
 
     double
-    FiberContact::cell_size(const unsigned int a, const unsigned int b) const
+    FiberContact::whole_cell(const unsigned int a, const unsigned int b) const
     {
       const auto interval = [this](const unsigned int f) {
         return space.fiber(f).length / (space.fiber(f).n_nodes - 1);
       };
-      const double interval_length = 0.5 * (interval(a) + interval(b));
-      const double radius =
-        std::min(space.fiber(a).radius, space.fiber(b).radius);
-      const double length =
-        std::min(2. * interval_length, std::max(interval_length, 7. * radius));
-      return 2. * length / parameters.refinement;
+      // p is twice an arc length.
+      return (interval(a) + interval(b)) / parameters.refinement;
+    }
+
+
+
+    std::pair<double, double>
+    FiberContact::range(const Contact::ContactCell          &cell,
+                        const Contact::IntermediateGeometry &between) const
+    {
+      const double size =
+        std::ldexp(whole_cell(cell.fiber_a, cell.fiber_b), -int(cell.level));
+      const auto whole = between.range();
+      return {std::max(cell.number * size, whole.first),
+              std::min((cell.number + 1) * size, whole.second)};
     }
 
 
@@ -234,8 +244,7 @@ namespace Heddle
         return fiber.section.axial /
                (numbers::PI * fiber.radius * fiber.radius);
       };
-      return numbers::PI / 4. /
-             (1. / modulus(a) + 1. / modulus(b));
+      return numbers::PI / 4. / (1. / modulus(a) + 1. / modulus(b));
     }
 
 
@@ -286,59 +295,65 @@ namespace Heddle
 
 
     void
-    FiberContact::cover_zone(
-      const Contact::ProximityZone &           zone,
-      const Contact::Curve &                   a,
-      const Contact::Curve &                   b,
-      const std::vector<Contact::ContactCell> &old_cells)
+    FiberContact::cover_zone(const Contact::ProximityZone            &zone,
+                             const Contact::Curve                    &a,
+                             const Contact::Curve                    &b,
+                             const std::vector<Contact::ContactCell> &old_cells)
     {
-      const double        size = cell_size(zone.fiber_a, zone.fiber_b);
-      Contact::ContactCell cell = {};
-      cell.fiber_a              = zone.fiber_a;
-      cell.fiber_b              = zone.fiber_b;
-      cell.orientation          = zone.orientation;
-      cell.zone                 = zones.size();
+      Contact::ContactCell cell                   = {};
+      cell.fiber_a                                = zone.fiber_a;
+      cell.fiber_b                                = zone.fiber_b;
+      cell.orientation                            = zone.orientation;
+      cell.zone                                   = zones.size();
       const Contact::IntermediateGeometry between = geometry(cell);
 
-      const auto   range = between.range();
-      const double begin = std::max(zone.begin, range.first);
-      const double end   = std::min(zone.end, range.second);
+      // Across one cell the fibers part by no more than about a radius.
+      const double whole  = whole_cell(zone.fiber_a, zone.fiber_b);
+      const double radius = std::min(a.radius, b.radius);
+      while (std::ldexp(0.5 * whole * zone.sine, -int(cell.level)) > radius)
+        ++cell.level;
+      const double size = std::ldexp(whole, -int(cell.level));
+
+      const double begin = std::max(zone.begin, between.range().first);
+      const double end   = std::min(zone.end, between.range().second);
       if (begin >= end)
         return;
-      zones.push_back({0., std::min(a.radius, b.radius)});
+      zones.push_back({0., radius});
 
+      // Along p the distance changes by at most sin(45 deg).
+      const double reach = a.radius + b.radius +
+                           parameters.search_distance * largest_radius +
+                           0.36 * size;
       const auto first_of_zone = cells.size();
       double     known_penalty = 0.;
       for (cell.number = std::floor(begin / size); cell.number * size < end;
            ++cell.number)
         {
-          const double p = std::max(cell.number * size, range.first);
-          cell.q         = zone.guess(p);
-          between.facing(p, cell.q);
+          const auto   p      = range(cell, between);
+          const double middle = 0.5 * (p.first + p.second);
+          double       q      = zone.guess(middle);
+          if (between.facing(middle, q).squared_distance > reach * reach)
+            continue;
+          cell.q_begin = cell.q_end = q;
+          between.facing(p.first, cell.q_begin);
+          between.facing(p.second, cell.q_end);
 
           // Two zones of one pair may end in one cell: it belongs to the first.
           const auto same = [&cell, size](const Contact::ContactCell &other) {
-            return other.fiber_a == cell.fiber_a &&
-                   other.fiber_b == cell.fiber_b &&
+            return other.number == cell.number && other.level == cell.level &&
                    other.orientation == cell.orientation &&
-                   other.number == cell.number &&
-                   std::abs(other.q - cell.q) < size;
+                   std::abs(other.q_begin - cell.q_begin) < size;
           };
-          if (std::any_of(cells.begin() + (first_of_zone - std::min<std::size_t>(
-                                                             first_of_zone, 64)),
-                          cells.begin() + first_of_zone,
-                          same))
+          bool known = false;
+          for (auto k = first_of_zone;
+               k > 0 && cells[k - 1].fiber_a == cell.fiber_a &&
+               cells[k - 1].fiber_b == cell.fiber_b && !known;
+               --k)
+            known = same(cells[k - 1]);
+          if (known)
             continue;
 
-          Contact::ContactCell low = cell;
-          low.q                    = -std::numeric_limits<double>::max();
-          cell.penalty             = 0.;
-          for (auto old =
-                 std::lower_bound(old_cells.begin(), old_cells.end(), low);
-               old != old_cells.end() && old->number == cell.number;
-               ++old)
-            if (same(*old))
-              cell.penalty = old->penalty;
+          cell.penalty  = old_penalty(cell, old_cells);
           known_penalty = std::max(known_penalty, cell.penalty);
           cells.push_back(cell);
         }
@@ -353,6 +368,34 @@ namespace Heddle
 
 
 
+    double
+    FiberContact::old_penalty(
+      const Contact::ContactCell              &cell,
+      const std::vector<Contact::ContactCell> &old_cells) const
+    {
+      // The cell itself, or one of another level that covers its middle.
+      Contact::ContactCell low = cell;
+      low.orientation          = -2;
+      const double whole       = whole_cell(cell.fiber_a, cell.fiber_b);
+      const double middle =
+        std::ldexp((cell.number + 0.5) * whole, -int(cell.level));
+      double penalty = 0.;
+      for (auto old = std::lower_bound(old_cells.begin(), old_cells.end(), low);
+           old != old_cells.end() && old->fiber_a == cell.fiber_a &&
+           old->fiber_b == cell.fiber_b;
+           ++old)
+        {
+          const double size = std::ldexp(whole, -int(old->level));
+          if (old->orientation == cell.orientation &&
+              std::abs((old->number + 0.5) * size - middle) < 0.51 * size &&
+              std::abs(old->q_begin - cell.q_begin) < whole)
+            penalty = std::max(penalty, old->penalty);
+        }
+      return penalty;
+    }
+
+
+
     void
     FiberContact::place_elements()
     {
@@ -363,26 +406,16 @@ namespace Heddle
       Contact::CellEnd end = {};
       for (unsigned int c = 0; c < cells.size(); ++c)
         {
-          Contact::ContactCell &cell                  = cells[c];
+          const Contact::ContactCell         &cell    = cells[c];
           const Contact::IntermediateGeometry between = geometry(cell);
-          const auto                          range   = between.range();
-          const double size    = cell_size(cell.fiber_a, cell.fiber_b);
-          const double p_begin = std::max(cell.number * size, range.first);
-          const double p_end =
-            std::min((cell.number + 1) * size, range.second);
+          const auto                          p       = range(cell, between);
 
           // Neighbouring cells share their ends.
           const bool continues = c > 0 && cells[c - 1].zone == cell.zone &&
                                  cells[c - 1].number + 1 == cell.number;
           const Contact::CellEnd begin =
-            continues ? end : Contact::cell_end(between, p_begin, cell.q);
-          const bool continued = c + 1 < cells.size() &&
-                                 cells[c + 1].zone == cell.zone &&
-                                 cells[c + 1].number == cell.number + 1;
-          end    = Contact::cell_end(between,
-                                  p_end,
-                                  continued ? cells[c + 1].q : begin.q);
-          cell.q = begin.q;
+            continues ? end : Contact::cell_end(between, p.first, cell.q_begin);
+          end = Contact::cell_end(between, p.second, cell.q_end);
 
           const auto   first = contact_elements.size();
           const double penetration =
@@ -397,10 +430,10 @@ namespace Heddle
               element.zone                     = cell.zone;
               element.penalty                  = cell.penalty;
               element.force =
-                element.gap < 0. ?
-                  element.weight * law(zone.radius).pressure(cell.penalty,
-                                                             -element.gap) :
-                  0.;
+                element.gap < 0.
+                  ? element.weight *
+                      law(zone.radius).pressure(cell.penalty, -element.gap)
+                  : 0.;
             }
         }
     }
@@ -410,16 +443,16 @@ namespace Heddle
     void
     FiberContact::gather_statistics()
     {
-      std::array<double, 4> sums = {};
+      std::array<double, 4> sums     = {};
       std::array<double, 3> extremes = {0., 0., -1e300};
       for (const Contact::ContactElement &element : contact_elements)
         if (space.owns(element.fiber_a) && element.force > 0.)
           {
             sums[0] += 1.;
             sums[1] += element.force;
-            sums[2] += element.weight *
-                       law(zones[element.zone].radius)
-                         .energy(element.penalty, -element.gap);
+            sums[2] +=
+              element.weight * law(zones[element.zone].radius)
+                                 .energy(element.penalty, -element.gap);
             extremes[1] = std::max(extremes[1], element.penalty);
             extremes[2] = std::max(extremes[2], -element.penalty);
           }
@@ -428,8 +461,8 @@ namespace Heddle
         sums[3] += space.owns(cell.fiber_a) ? 2. : 0.;
       for (const Zone &zone : zones)
         extremes[0] = std::max(extremes[0], zone.penetration / zone.radius);
-      Utilities::MPI::sum(sums, space.communicator(), sums);
-      Utilities::MPI::max(extremes, space.communicator(), extremes);
+      sum_over_ranks(sums, space.communicator());
+      max_over_ranks(extremes, space.communicator());
 
       statistics.n_active        = sums[0];
       statistics.n_elements      = std::max(sums[3], sums[0]);
@@ -462,19 +495,17 @@ namespace Heddle
     FiberContact::needs_new_pattern() const
     {
       const std::vector<Contact::CandidatePair> pairs = active_pairs();
-      return !std::includes(pattern_pairs.begin(),
-                            pattern_pairs.end(),
-                            pairs.begin(),
-                            pairs.end());
+      return !std::includes(
+        pattern_pairs.begin(), pattern_pairs.end(), pairs.begin(), pairs.end());
     }
 
 
 
     void
-    FiberContact::locate(const System::State &          state,
+    FiberContact::locate(const System::State           &state,
                          const Contact::ContactElement &element,
-                         unsigned int *                 blocks,
-                         double *                       weights) const
+                         unsigned int                  *blocks,
+                         double                        *weights) const
     {
       const System::MaterialPoint a =
         space.locate(element.fiber_a, element.s_a);
@@ -492,17 +523,17 @@ namespace Heddle
 
 
     void
-    FiberContact::add_pattern(const System::State &         state,
+    FiberContact::add_pattern(const System::State          &state,
                               System::BlockSystem::Pattern &pattern)
     {
       pattern_pairs = active_pairs();
-      pattern_pairs.erase(
-        std::unique(pattern_pairs.begin(),
-                    pattern_pairs.end(),
-                    [](const auto &left, const auto &right) {
-                      return !(left < right) && !(right < left);
-                    }),
-        pattern_pairs.end());
+      pattern_pairs.erase(std::unique(pattern_pairs.begin(),
+                                      pattern_pairs.end(),
+                                      [](const auto &left, const auto &right) {
+                                        return !(left < right) &&
+                                               !(right < left);
+                                      }),
+                          pattern_pairs.end());
 
       unsigned int blocks[8];
       double       weights[8];
@@ -513,10 +544,8 @@ namespace Heddle
           element.fiber_b                 = pair.fiber_b;
           const double *s_a               = space.node_positions(pair.fiber_a);
           const double *s_b               = space.node_positions(pair.fiber_b);
-          element.s_a =
-            0.5 * (s_a[pair.interval_a] + s_a[pair.interval_a + 1]);
-          element.s_b =
-            0.5 * (s_b[pair.interval_b] + s_b[pair.interval_b + 1]);
+          element.s_a = 0.5 * (s_a[pair.interval_a] + s_a[pair.interval_a + 1]);
+          element.s_b = 0.5 * (s_b[pair.interval_b] + s_b[pair.interval_b + 1]);
           locate(state, element, blocks, weights);
           pattern.couple(8, blocks);
         }
@@ -547,9 +576,8 @@ namespace Heddle
             if (system.wants_tangent())
               {
                 const double stiffness =
-                  element.weight *
-                  law(zones[element.zone].radius)
-                    .stiffness(element.penalty, -element.gap);
+                  element.weight * law(zones[element.zone].radius)
+                                     .stiffness(element.penalty, -element.gap);
                 for (unsigned int i = 0; i < 24; ++i)
                   for (unsigned int j = 0; j < 24; ++j)
                     tangent[24 * i + j] =
@@ -562,7 +590,7 @@ namespace Heddle
 
 
     std::pair<double, double>
-    FiberContact::slope_and_curvature(const System::State &    state,
+    FiberContact::slope_and_curvature(const System::State     &state,
                                       const System::Increment &increment) const
     {
       unsigned int blocks[8];
@@ -587,7 +615,7 @@ namespace Heddle
 
 
     double
-    FiberContact::largest_step(const System::State &    state,
+    FiberContact::largest_step(const System::State     &state,
                                const System::Increment &increment) const
     {
       // Nothing may leave the range within which all pairs are known.
@@ -622,7 +650,7 @@ namespace Heddle
       bool changed = false;
       for (Contact::ContactCell &cell : cells)
         {
-          const Zone & zone  = zones[cell.zone];
+          const Zone  &zone  = zones[cell.zone];
           const double ratio = zone.penetration / (threshold * zone.radius);
           if (ratio > 1. || (ratio > 0. && ratio < 0.3))
             {

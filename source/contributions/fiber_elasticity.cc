@@ -1,6 +1,5 @@
+#include <heddle/base/reduce.h>
 #include <heddle/contributions/fiber_elasticity.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <array>
 #include <numeric>
@@ -12,7 +11,7 @@ namespace Heddle
     template <typename Action>
     void
     FiberElasticity::for_each_element(const System::State &state,
-                                      const Action &       action) const
+                                      const Action        &action) const
     {
       const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
@@ -23,7 +22,7 @@ namespace Heddle
 
 
     FiberElasticity::FiberElasticity(
-      const System::FiberSpace &       space,
+      const System::FiberSpace        &space,
       const std::vector<Tensor<1, 3>> &configuration)
       : space(space)
     {
@@ -58,7 +57,7 @@ namespace Heddle
 
 
     void
-    FiberElasticity::add_pattern(const System::State &         state,
+    FiberElasticity::add_pattern(const System::State          &state,
                                  System::BlockSystem::Pattern &pattern)
     {
       std::array<unsigned int, Beam::Element::max_blocks> blocks;
@@ -100,7 +99,7 @@ namespace Heddle
 
 
     void
-    FiberElasticity::predict(const System::State &    state,
+    FiberElasticity::predict(const System::State     &state,
                              const System::Increment &increment)
     {
       for_each_element(
@@ -119,7 +118,7 @@ namespace Heddle
 
 
     void
-    FiberElasticity::report(const System::State &          state,
+    FiberElasticity::report(const System::State           &state,
                             std::map<std::string, double> &values) const
     {
       std::array<double, 5> energy = {};
@@ -137,7 +136,7 @@ namespace Heddle
           energy[3] += split.torsion;
           energy[4] += split.section;
         });
-      Utilities::MPI::sum(energy, space.communicator(), energy);
+      sum_over_ranks(energy, space.communicator());
       values["axial_energy[N*mm]"]   = energy[0];
       values["bending_energy[N*mm]"] = energy[1];
       values["shear_energy[N*mm]"]   = energy[2];

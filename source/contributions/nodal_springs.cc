@@ -4,11 +4,12 @@ namespace Heddle
 {
   namespace Contributions
   {
-    NodalSprings::NodalSprings(const std::string &        name,
+    NodalSprings::NodalSprings(const std::string         &name,
                                const std::vector<Spring> &springs)
       : own_name(name)
       , springs(springs)
-    {}
+    {
+    }
 
 
 
@@ -25,10 +26,8 @@ namespace Heddle
             const Tensor<1, 3> residual =
               spring.stiffness * (state.current()[block] - spring.target) -
               spring.force;
-            system.add(1,
-                       &block,
-                       residual.begin_raw(),
-                       spring.stiffness[0].begin_raw());
+            system.add(
+              1, &block, residual.begin_raw(), spring.stiffness[0].begin_raw());
           }
     }
   } // namespace Contributions

@@ -7,47 +7,51 @@ namespace Heddle
     FiberParameters::FiberParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter("Element",
-                    element_name,
-                    "'hermite': slender, torsion-free, smooth, six unknowns per "
-                    "node. 'director': nine unknowns per node, with torsion, "
-                    "shear and strains of the section [-].",
-                    prm,
-                    Patterns::Selection("hermite|director"));
+      add_parameter(
+        "Element",
+        element_name,
+        "'hermite': slender, torsion-free, smooth, six unknowns per "
+        "node. 'director': nine unknowns per node, with torsion, "
+        "shear and strains of the section [-].",
+        prm,
+        Patterns::Selection("hermite|director"));
       add_parameter("Degree",
                     degree,
                     "Polynomial degree of 'director'. Inactive for 'hermite', "
                     "which is cubic [-].",
                     prm,
                     Patterns::Integer(1, 3));
-      add_parameter("Elements per fiber",
-                    elements_per_fiber,
-                    "Number of elements of every fiber of a weave. Inactive for "
-                    "centerlines from a file, which have an element length [-].",
-                    prm,
-                    Patterns::Integer(1));
+      add_parameter(
+        "Elements per fiber",
+        elements_per_fiber,
+        "Number of elements of every fiber of a weave. Inactive for "
+        "centerlines from a file, which have an element length [-].",
+        prm,
+        Patterns::Integer(1));
       add_parameter("Axial modulus",
                     axial_modulus,
                     "Young's modulus along the fiber [MPa].",
                     prm,
                     Patterns::Double(1e-12));
-      add_parameter("Shear modulus",
-                    shear_modulus,
-                    "Shear modulus; 0: of an isotropic fiber, E / (2 (1 + nu)). "
-                    "Carbon and aramid are far softer. Inactive for 'hermite' "
-                    "[MPa].",
-                    prm,
-                    Patterns::Double(0.));
+      add_parameter(
+        "Shear modulus",
+        shear_modulus,
+        "Shear modulus; 0: of an isotropic fiber, E / (2 (1 + nu)). "
+        "Carbon and aramid are far softer. Inactive for 'hermite' "
+        "[MPa].",
+        prm,
+        Patterns::Double(0.));
       add_parameter("Poisson ratio",
                     poisson_ratio,
                     "Contraction of the section over axial strain [-].",
                     prm,
                     Patterns::Double(0., 0.49));
-      add_parameter("Axial stiffness",
-                    axial_stiffness,
-                    "E A, in place of that of the circle; 0: of the circle [N].",
-                    prm,
-                    Patterns::Double(0.));
+      add_parameter(
+        "Axial stiffness",
+        axial_stiffness,
+        "E A, in place of that of the circle; 0: of the circle [N].",
+        prm,
+        Patterns::Double(0.));
       add_parameter("Bending stiffness",
                     bending_stiffness,
                     "E I, in place of that of the circle; 0: of the circle "
@@ -84,8 +88,8 @@ namespace Heddle
       Beam::Section section = Beam::circular_section(
         radius,
         axial_modulus,
-        shear_modulus > 0. ? shear_modulus :
-                             axial_modulus / (2. * (1. + poisson_ratio)),
+        shear_modulus > 0. ? shear_modulus
+                           : axial_modulus / (2. * (1. + poisson_ratio)),
         poisson_ratio);
       if (axial_stiffness > 0.)
         section.axial = axial_stiffness;

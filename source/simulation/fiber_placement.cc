@@ -49,7 +49,7 @@ namespace Heddle
 
     std::unique_ptr<System::FiberSpace>
     make_space(const std::vector<Textile::FiberPath> &paths,
-               const FiberParameters &                parameters,
+               const FiberParameters                 &parameters,
                const MPI_Comm                         communicator)
     {
       auto               element     = parameters.element();
@@ -70,18 +70,17 @@ namespace Heddle
              path.set,
              parameters.section(path.radius)});
         }
-      return std::make_unique<System::FiberSpace>(communicator,
-                                                  std::move(element),
-                                                  descriptions);
+      return std::make_unique<System::FiberSpace>(
+        communicator, std::move(element), descriptions);
     }
 
 
 
     void
-    place_fiber(const System::FiberSpace &       space,
+    place_fiber(const System::FiberSpace        &space,
                 const unsigned int               fiber,
                 const std::vector<Tensor<1, 3>> &points,
-                Tensor<1, 3> *                   blocks)
+                Tensor<1, 3>                    *blocks)
     {
       const unsigned int n = points.size();
       AssertDimension(n, space.fiber(fiber).n_nodes);
@@ -112,12 +111,11 @@ namespace Heddle
 
 
     std::vector<Tensor<1, 3>>
-    place_on_paths(const System::FiberSpace &             space,
+    place_on_paths(const System::FiberSpace              &space,
                    const std::vector<Textile::FiberPath> &paths)
     {
-      return place_owned(space, [&paths](const unsigned int f) {
-        return paths[f].points;
-      });
+      return place_owned(
+        space, [&paths](const unsigned int f) { return paths[f].points; });
     }
 
 

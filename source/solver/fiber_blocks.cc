@@ -10,23 +10,23 @@ extern "C"
   /** LAPACK: Cholesky factorization of a positive definite band. */
   void
   dpbtrf_(const char *uplo,
-          const int * n,
-          const int * kd,
-          double *    ab,
-          const int * ldab,
-          int *       info);
+          const int  *n,
+          const int  *kd,
+          double     *ab,
+          const int  *ldab,
+          int        *info);
 
   /** LAPACK: solution with that factorization. */
   void
-  dpbtrs_(const char *  uplo,
-          const int *   n,
-          const int *   kd,
-          const int *   nrhs,
+  dpbtrs_(const char   *uplo,
+          const int    *n,
+          const int    *kd,
+          const int    *nrhs,
           const double *ab,
-          const int *   ldab,
-          double *      b,
-          const int *   ldb,
-          int *         info);
+          const int    *ldab,
+          double       *b,
+          const int    *ldb,
+          int          *info);
 }
 
 namespace Heddle
@@ -37,13 +37,13 @@ namespace Heddle
       : state(state)
       // An element couples its own blocks; contact couples the positions of
       // four nodes in a row, or the blocks of one interval.
-      , bandwidth(
-          3 * std::max(state.space.element().n_blocks(),
-                       state.space.n_blocks_per_node() == 2 ?
-                         4u :
-                         3 * state.space.n_blocks_per_node() + 1) -
-          1)
-    {}
+      , bandwidth(3 * std::max(state.space.element().n_blocks(),
+                               state.space.n_blocks_per_node() == 2
+                                 ? 4u
+                                 : 3 * state.space.n_blocks_per_node() + 1) -
+                  1)
+    {
+    }
 
 
 
@@ -138,7 +138,7 @@ namespace Heddle
         largest = std::max(largest, std::abs(bands[begin + i * height]));
 
       // A compressed fiber may be unstable on its own: shift until it is not.
-      for (double shift = 0.; ; shift = std::max(10. * shift, 1e-8 * largest))
+      for (double shift = 0.;; shift = std::max(10. * shift, 1e-8 * largest))
         {
           std::copy_n(bands.begin() + begin,
                       std::size_t(n) * height,
@@ -180,10 +180,9 @@ namespace Heddle
       const auto owned = self->state.space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
-          const std::size_t begin =
-            std::size_t(3) * self->state.local_block(f);
-          const int n = 3 * self->state.space.n_blocks(f);
-          int       info;
+          const std::size_t begin = std::size_t(3) * self->state.local_block(f);
+          const int         n     = 3 * self->state.space.n_blocks(f);
+          int               info;
           dpbtrs_("L",
                   &n,
                   &kd,

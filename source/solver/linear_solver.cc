@@ -10,7 +10,7 @@ namespace Heddle
     {
       bool
       choose_direct(const LinearSolverParameters &parameters,
-                    const System::BlockSystem &   system)
+                    const System::BlockSystem    &system)
       {
         if (parameters.kind != "automatic")
           return parameters.kind == "direct";
@@ -39,12 +39,13 @@ namespace Heddle
                     "[-].",
                     prm,
                     Patterns::Double(1e-14, 0.9));
-      add_parameter("Maximum iterations",
-                    max_iterations,
-                    "Iterations after which an iterative solver hands over what "
-                    "it has. Inactive for 'direct' [-].",
-                    prm,
-                    Patterns::Integer(1));
+      add_parameter(
+        "Maximum iterations",
+        max_iterations,
+        "Iterations after which an iterative solver hands over what "
+        "it has. Inactive for 'direct' [-].",
+        prm,
+        Patterns::Integer(1));
       add_parameter("Direct below",
                     direct_below,
                     "Number of unknowns below which 'automatic' chooses "
@@ -56,7 +57,7 @@ namespace Heddle
 
 
     LinearSolver::LinearSolver(const LinearSolverParameters &parameters,
-                               const System::BlockSystem &   system)
+                               const System::BlockSystem    &system)
       : parameters(parameters)
       , system(system)
       , direct(choose_direct(parameters, system))
@@ -120,7 +121,7 @@ namespace Heddle
       result.iterations = direct ? 0 : iterations;
       result.indefinite = reason == KSP_DIVERGED_INDEFINITE_MAT ||
                           reason == KSP_DIVERGED_INDEFINITE_PC;
-      result.converged  = reason > 0;
+      result.converged = reason > 0;
       return result;
     }
   } // namespace Solver

@@ -1,6 +1,6 @@
-#include <heddle/solver/newton.h>
-
 #include <heddle/base/exceptions.h>
+#include <heddle/base/reduce.h>
+#include <heddle/solver/newton.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -13,6 +13,14 @@ namespace Heddle
 {
   namespace Solver
   {
+    namespace
+    {
+      /** Ratio of the residual above which damping is at its full strength. */
+      constexpr double unsettled = 10.;
+    } // namespace
+
+
+
     NewtonParameters::NewtonParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
@@ -45,19 +53,20 @@ namespace Heddle
 
 
 
-    Newton::Newton(const NewtonParameters &      parameters,
+    Newton::Newton(const NewtonParameters       &parameters,
                    const LinearSolverParameters &linear_parameters,
                    const MPI_Comm                communicator,
-                   Log &                         log,
-                   SectionTimer &                timer,
-                   StopRequest &                 stop)
+                   Log                          &log,
+                   SectionTimer                 &timer,
+                   StopRequest                  &stop)
       : parameters(parameters)
       , linear_parameters(linear_parameters)
       , communicator(communicator)
       , log(log)
       , timer(timer)
       , stop(stop)
-    {}
+    {
+    }
 
 
 
@@ -72,16 +81,14 @@ namespace Heddle
             std::make_unique<LinearSolver>(linear_parameters, *block_system);
           length_scale = state.space.fiber(0).radius;
           for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
-            length_scale =
-              std::min(length_scale, state.space.fiber(f).radius);
+            length_scale = std::min(length_scale, state.space.fiber(f).radius);
         }
 
-      const bool rough = std::any_of(contributions.begin(),
-                                     contributions.end(),
-                                     [](const auto &contribution) {
-                                       return contribution->is_rough();
-                                     });
-      damping          = rough ? parameters.damping : 0.;
+      const bool rough = std::any_of(
+        contributions.begin(),
+        contributions.end(),
+        [](const auto &contribution) { return contribution->is_rough(); });
+      damping = rough ? parameters.damping : 0.;
       NewtonResult      result;
       System::Increment increment;
       unsigned int      adapted_at = 0;
@@ -102,8 +109,8 @@ namespace Heddle
           const bool balanced =
             residual.ratio <= parameters.residual_tolerance &&
             residual.pending <= 1e-12;
-          const bool still = iteration > 0 &&
-                             result.increment <= parameters.increment_tolerance;
+          const bool still =
+            iteration > 0 && result.increment <= parameters.increment_tolerance;
           result.obstacle.clear();
           if (balanced && (still || residual.largest_force == 0.))
             {
@@ -117,14 +124,13 @@ namespace Heddle
                 }
             }
           else
-            result.obstacle = balanced ? "the fibers still move" :
-                                         "forces are not in balance";
+            result.obstacle =
+              balanced ? "the fibers still move" : "forces are not in balance";
           if (iteration == parameters.max_iterations)
             return result;
 
-          const bool calm = rough && iteration > 0 && taken == 1. &&
-                            result.increment < 0.2 && residual.ratio < 5. &&
-                            iteration >= adapted_at + 2;
+          const bool calm = rough && result.increment < 0.2 &&
+                            residual.ratio < 0.3 && iteration >= adapted_at + 2;
           if (calm || (balanced && still))
             {
               bool changed = false;
@@ -150,8 +156,6 @@ namespace Heddle
             result.linear_iterations += linear.iterations;
             result.factorizations += linear_solver->is_direct() ? 1 : 0;
             block_system->extract_increment(increment);
-            if (linear.indefinite)
-              damping = std::max(3. * damping, 0.1 * parameters.damping);
           }
 
           const double motion = largest_motion(state, increment);
@@ -161,24 +165,24 @@ namespace Heddle
                                 "free to move without resistance";
               return result;
             }
-          for (const auto &contribution : contributions)
-            contribution->predict(state, increment);
-
           double largest = 1.;
           for (const auto &contribution : contributions)
             largest =
               std::min(largest, contribution->largest_step(state, increment));
           largest = Utilities::MPI::min(largest, communicator);
-          taken   = rough ?
-                      line_search(state, contributions, increment, largest) :
-                      largest;
-          state.move(taken, increment);
+          taken = rough ? line_search(state, contributions, increment, largest)
+                        : largest;
+          for (Tensor<1, 3> &motion_of_block : increment)
+            motion_of_block *= taken;
+          for (const auto &contribution : contributions)
+            contribution->predict(state, increment);
+          state.move(1., increment);
           result.increment = taken * motion;
 
-          if (rough && largest < 1.)
-            damping = std::max(3. * damping, 0.1 * parameters.damping);
-          else if (motion < 0.5)
-            damping /= 3.;
+          // Soft modes are held back the less the closer equilibrium is.
+          if (rough)
+            damping = parameters.damping *
+                      std::min(1., std::sqrt(residual.ratio / unsettled));
         }
     }
 
@@ -225,13 +229,13 @@ namespace Heddle
     template <typename Action>
     void
     Newton::for_each_damped_block(const System::State &state,
-                                  const Action &       action) const
+                                  const Action        &action) const
     {
       const System::FiberSpace &space = state.space;
       const auto                owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
-          const System::Fiber &fiber = space.fiber(f);
+          const System::Fiber &fiber     = space.fiber(f);
           const double         stiffness = damping * fiber.section.axial /
                                    (fiber.radius * fiber.radius) *
                                    fiber.length / fiber.n_nodes;
@@ -244,7 +248,7 @@ namespace Heddle
 
 
     double
-    Newton::damping_curvature(const System::State &    state,
+    Newton::damping_curvature(const System::State     &state,
                               const System::Increment &increment) const
     {
       double sum = 0.;
@@ -279,15 +283,15 @@ namespace Heddle
               const double       scale =
                 b % space.n_blocks_per_node() == 0 ? 1. : 1. / length;
               largest[0] = std::max(largest[0], scale * unbalanced[k].norm());
-              largest[1] = std::max(
-                largest[1], scale * block_system->residual()[k].norm());
+              largest[1] = std::max(largest[1],
+                                    scale * block_system->residual()[k].norm());
             }
         }
       for (const auto &constraint : constraints)
         for (unsigned int d = 0; d < 3; ++d)
           if (constraint.fixed[d])
             largest[2] = std::max(largest[2], std::abs(constraint.pending[d]));
-      Utilities::MPI::max(largest, communicator, largest);
+      max_over_ranks(largest, communicator);
 
       double typical = 0.;
       for (const auto &contribution : contributions)
@@ -305,7 +309,7 @@ namespace Heddle
 
 
     double
-    Newton::largest_motion(const System::State &    state,
+    Newton::largest_motion(const System::State     &state,
                            const System::Increment &increment) const
     {
       double     largest = 0.;
@@ -313,15 +317,14 @@ namespace Heddle
       for (unsigned int f = owned.first; f < owned.second; ++f)
         for (unsigned int i = 0; i < state.space.fiber(f).n_nodes; ++i)
           {
-            const double motion =
-              increment[state.local_block(f) +
-                        i * state.space.n_blocks_per_node()]
-                .norm();
+            const double motion = increment[state.local_block(f) +
+                                            i * state.space.n_blocks_per_node()]
+                                    .norm();
             // A motion that is not a number is larger than all numbers.
             if (!(motion <= largest))
-              largest = std::isnan(motion) ?
-                          std::numeric_limits<double>::infinity() :
-                          motion;
+              largest = std::isnan(motion)
+                          ? std::numeric_limits<double>::infinity()
+                          : motion;
           }
       return Utilities::MPI::max(largest, communicator) / length_scale;
     }
@@ -329,8 +332,8 @@ namespace Heddle
 
 
     double
-    Newton::line_search(System::State &          state,
-                        const Contributions &    contributions,
+    Newton::line_search(System::State           &state,
+                        const Contributions     &contributions,
                         const System::Increment &increment,
                         const double             largest)
     {
@@ -350,7 +353,7 @@ namespace Heddle
               sum[0] += part.first;
               sum[1] += part.second;
             }
-        Utilities::MPI::sum(sum, communicator, sum);
+        sum_over_ranks(sum, communicator);
         return sum;
       };
       double slope = 0.;
@@ -367,9 +370,9 @@ namespace Heddle
       curvature -= damping_curvature(state, increment);
 
       const std::array<double, 2> rough_at_start = rough_part();
-      const double smooth_slope     = slope - rough_at_start[0];
-      const double smooth_curvature = curvature - rough_at_start[1];
-      const std::vector<Tensor<1, 3>> start = state.current();
+      const double                smooth_slope   = slope - rough_at_start[0];
+      const double smooth_curvature            = curvature - rough_at_start[1];
+      const std::vector<Tensor<1, 3>> start    = state.current();
       const auto                      slope_at = [&](const double factor) {
         state.move(factor, increment);
         for (const auto &contribution : contributions)
@@ -389,8 +392,9 @@ namespace Heddle
         {
           const double guess =
             low + (high - low) * slope_low / (slope_low - slope_high);
-          const double next = std::min(std::max(guess, low + 0.1 * (high - low)),
-                                       low + 0.7 * (high - low));
+          const double next =
+            std::min(std::max(guess, low + 0.1 * (high - low)),
+                     low + 0.7 * (high - low));
           const double slope_next = slope_at(next);
           if (slope_next < -0.3 * std::abs(slope))
             {
@@ -412,8 +416,8 @@ namespace Heddle
 
     void
     Newton::report(const unsigned int   iteration,
-                   const Residual &     residual,
-                   const NewtonResult & result,
+                   const Residual      &residual,
+                   const NewtonResult  &result,
                    const Contributions &contributions) const
     {
       log << "  newton " << std::setw(3) << iteration << std::scientific

@@ -52,7 +52,7 @@ namespace Heddle
     void
     BlockSystem::set_pattern(Pattern &pattern)
     {
-      const FiberSpace & space   = state.space;
+      const FiberSpace  &space   = state.space;
       const unsigned int n_owned = state.n_owned_blocks();
       const PetscInt     first   = space.owned_blocks().first;
 
@@ -134,8 +134,8 @@ namespace Heddle
     void
     BlockSystem::add(const unsigned int  n,
                      const unsigned int *blocks,
-                     const double *      residual,
-                     const double *      tangent)
+                     const double       *residual,
+                     const double       *tangent)
     {
       Assert(n <= max_blocks, ExcInternalError());
       const unsigned int n_owned = state.n_owned_blocks();
@@ -172,7 +172,7 @@ namespace Heddle
     void
     BlockSystem::constrain(const unsigned int  n,
                            const unsigned int *blocks,
-                           double *            tangent)
+                           double             *tangent)
     {
       const unsigned int size = 3 * n;
       for (unsigned int i = 0; i < n; ++i)
@@ -228,7 +228,7 @@ namespace Heddle
     void
     BlockSystem::add_diagonal(const unsigned int block, const double value)
     {
-      const PetscInt row = global_blocks[block];
+      const PetscInt row       = global_blocks[block];
       double         values[9] = {value, 0., 0., 0., value, 0., 0., 0., value};
       const int      c         = constraint_of_block[block];
       if (c >= 0)
@@ -256,15 +256,15 @@ namespace Heddle
       for (const Constraint &constraint : constraints)
         if (constraint.block < state.n_owned_blocks())
           {
-            const unsigned int b        = constraint.block;
-            const Tensor<1, 3> in_frame = constraint.frame * forces[b];
+            const unsigned int b           = constraint.block;
+            const Tensor<1, 3> in_frame    = constraint.frame * forces[b];
             double             diagonal[9] = {};
             for (unsigned int d = 0; d < 3; ++d)
               {
-                values[3 * b + d] = constraint.fixed[d] ?
-                                      constraint.pending[d] :
-                                      -in_frame[d] - lifting[b][d];
-                diagonal[4 * d] = constraint.fixed[d] ? 1. : 0.;
+                values[3 * b + d] = constraint.fixed[d]
+                                      ? constraint.pending[d]
+                                      : -in_frame[d] - lifting[b][d];
+                diagonal[4 * d]   = constraint.fixed[d] ? 1. : 0.;
               }
             const PetscInt row = global_blocks[b];
             MatSetValuesBlocked(matrix, 1, &row, 1, &row, diagonal, ADD_VALUES);

@@ -30,7 +30,8 @@ namespace Heddle
             {
               // A fiber goes to the rank in whose share its middle lies.
               const double middle = so_far + 0.5 * fibers[f].n_nodes;
-              while (rank < n_ranks && middle * n_ranks >= double(n_nodes) * rank)
+              while (rank < n_ranks &&
+                     middle * n_ranks >= double(n_nodes) * rank)
                 begin[rank++] = f;
               so_far += fibers[f].n_nodes;
             }
@@ -97,7 +98,7 @@ namespace Heddle
     FiberSpace::element_length(const unsigned int f, const unsigned int e) const
     {
       const unsigned int per_element = beam_element->n_nodes() - 1;
-      const double *     s           = node_positions(f);
+      const double      *s           = node_positions(f);
       return s[(e + 1) * per_element] - s[e * per_element];
     }
 
@@ -106,7 +107,7 @@ namespace Heddle
     unsigned int
     FiberSpace::interval(const unsigned int f, const double s) const
     {
-      const double *     knots = node_positions(f);
+      const double      *knots = node_positions(f);
       const unsigned int last  = fibers[f].n_nodes - 2;
 
       // Nearly all fibers have equal elements: this guess is then right.
@@ -125,7 +126,7 @@ namespace Heddle
     FiberSpace::tangent_weights(const unsigned int f,
                                 const unsigned int node) const
     {
-      const double *     s = node_positions(f);
+      const double      *s = node_positions(f);
       const unsigned int n = fibers[f].n_nodes;
       if (n == 2)
         {
@@ -147,7 +148,7 @@ namespace Heddle
     MaterialPoint
     FiberSpace::locate(const unsigned int f, const double s) const
     {
-      const double *     knots  = node_positions(f);
+      const double      *knots  = node_positions(f);
       const unsigned int i      = interval(f, s);
       const double       length = knots[i + 1] - knots[i];
       const double       t      = (s - knots[i]) / length;
@@ -163,9 +164,9 @@ namespace Heddle
                 {position_0, slope_0, position_1, slope_1}};
 
       const unsigned int first =
-        (fibers[f].n_nodes < 4) ?
-          0 :
-          std::min(std::max(i, 1u) - 1, fibers[f].n_nodes - 4);
+        (fibers[f].n_nodes < 4)
+          ? 0
+          : std::min(std::max(i, 1u) - 1, fibers[f].n_nodes - 4);
       MaterialPoint point;
       for (unsigned int k = 0; k < 4; ++k)
         {
@@ -188,8 +189,8 @@ namespace Heddle
     void
     FiberSpace::centerline_knots(const unsigned int  f,
                                  const Tensor<1, 3> *blocks,
-                                 Tensor<1, 3> *      positions,
-                                 Tensor<1, 3> *      tangents) const
+                                 Tensor<1, 3>       *positions,
+                                 Tensor<1, 3>       *tangents) const
     {
       const unsigned int n = fibers[f].n_nodes;
       for (unsigned int i = 0; i < n; ++i)

@@ -22,8 +22,10 @@ namespace Heddle
     {
       return std::tie(
                left.fiber_a, left.fiber_b, left.interval_a, left.interval_b) <
-             std::tie(
-               right.fiber_a, right.fiber_b, right.interval_a, right.interval_b);
+             std::tie(right.fiber_a,
+                      right.fiber_b,
+                      right.interval_a,
+                      right.interval_b);
     }
 
     /** A curve and the number of its fiber. */

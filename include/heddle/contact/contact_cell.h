@@ -13,17 +13,20 @@ namespace Heddle
   {
     /**
      * One cell of the discretisation of an intermediate geometry: the range
-     * [number, number + 1] times the cell size of its coordinate p. Cells do
-     * not move with the zone that they belong to, so a search that finds a
-     * longer or a shorter zone changes no force.
+     * [number, number + 1] times a size, of its coordinate p. Cells do not move
+     * with the zone that they belong to, so a search that finds a longer or a
+     * shorter zone changes no force. The size is that of a whole cell divided
+     * by two, @p level times: fibers at an angle part quickly.
      */
     struct ContactCell
     {
       unsigned int fiber_a, fiber_b;
       int          orientation;
+      unsigned int level;
       int          number;
       unsigned int zone;
-      double       q;       /**< s_a - sigma s_b at its begin [mm] */
+      double       q_begin; /**< guess of s_a - sigma s_b at its begin [mm] */
+      double       q_end;   /**< the same at its end [mm] */
       double       penalty; /**< [N/mm^2] */
     };
 
@@ -33,12 +36,14 @@ namespace Heddle
       return std::tie(left.fiber_a,
                       left.fiber_b,
                       left.orientation,
+                      left.level,
                       left.number,
-                      left.q) < std::tie(right.fiber_a,
-                                         right.fiber_b,
-                                         right.orientation,
-                                         right.number,
-                                         right.q);
+                      left.q_begin) < std::tie(right.fiber_a,
+                                               right.fiber_b,
+                                               right.orientation,
+                                               right.level,
+                                               right.number,
+                                               right.q_begin);
     }
 
     /** Distance and particles at one end of a cell. */
@@ -72,9 +77,9 @@ namespace Heddle
      * penalty are not.
      */
     double
-    place_elements(const IntermediateGeometry & geometry,
-                   const CellEnd &              begin,
-                   const CellEnd &              end,
+    place_elements(const IntermediateGeometry  &geometry,
+                   const CellEnd               &begin,
+                   const CellEnd               &end,
                    std::vector<ContactElement> &elements);
   } // namespace Contact
 } // namespace Heddle

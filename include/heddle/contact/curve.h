@@ -25,7 +25,7 @@ namespace Heddle
     {
     public:
       Curve(const unsigned int  n_knots,
-            const double *      arc_lengths,
+            const double       *arc_lengths,
             const Tensor<1, 3> *positions,
             const Tensor<1, 3> *tangents,
             const double        radius)
@@ -34,7 +34,8 @@ namespace Heddle
         , positions(positions)
         , tangents(tangents)
         , radius(radius)
-      {}
+      {
+      }
 
       double
       length() const

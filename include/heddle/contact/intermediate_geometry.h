@@ -14,10 +14,10 @@ namespace Heddle
     /** Two particles that face each other. */
     struct FacingParticles
     {
-      double       s_a, s_b;           /**< arc lengths [mm] */
+      double       s_a, s_b; /**< arc lengths [mm] */
       unsigned int interval_a, interval_b;
-      Tensor<1, 3> connection;         /**< from b to a [mm] */
-      double       squared_distance;   /**< of the axes [mm^2] */
+      Tensor<1, 3> connection;       /**< from b to a [mm] */
+      double       squared_distance; /**< of the axes [mm^2] */
       double       slope; /**< of the squared distance along p [mm] */
     };
 
@@ -51,7 +51,8 @@ namespace Heddle
         , b(b)
         , orientation(orientation)
         , min_separation(min_separation)
-      {}
+      {
+      }
 
       /** Range of p in which there are particles of both fibers. */
       std::pair<double, double>

@@ -22,17 +22,17 @@ namespace Heddle
       double
       pressure(const double penalty, const double penetration) const
       {
-        return penetration < transition ?
-                 penalty * penetration * penetration / (2. * transition) :
-                 penalty * (penetration - 0.5 * transition);
+        return penetration < transition
+                 ? penalty * penetration * penetration / (2. * transition)
+                 : penalty * (penetration - 0.5 * transition);
       }
 
       /** @return dp/dd [N/mm^2]. */
       double
       stiffness(const double penalty, const double penetration) const
       {
-        return penetration < transition ? penalty * penetration / transition :
-                                          penalty;
+        return penetration < transition ? penalty * penetration / transition
+                                        : penalty;
       }
 
       /** @return the energy per length, the integral of p [N]. */

@@ -28,6 +28,9 @@ namespace Heddle
       /** Range of p that its intervals cover. */
       double begin, end;
 
+      /** Mean sine of the angle between its intervals. */
+      double sine;
+
       /** A guess of q at @p p, from the closest pair of intervals there. */
       double
       guess(const double p) const;
@@ -40,8 +43,8 @@ namespace Heddle
     std::vector<ProximityZone>
     find_zones(const CandidatePair *first,
                const CandidatePair *last,
-               const Curve &        a,
-               const Curve &        b);
+               const Curve         &a,
+               const Curve         &b);
   } // namespace Contact
 } // namespace Heddle
 

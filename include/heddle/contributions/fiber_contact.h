@@ -33,7 +33,7 @@ namespace Heddle
       /** Says whether two fibers can touch at all. */
       using Filter = std::function<bool(unsigned int, unsigned int)>;
 
-      FiberContact(const System::FiberSpace &        space,
+      FiberContact(const System::FiberSpace         &space,
                    const Contact::ContactParameters &parameters);
 
       std::string
@@ -56,7 +56,7 @@ namespace Heddle
       needs_new_pattern() const override;
 
       void
-      add_pattern(const System::State &         state,
+      add_pattern(const System::State          &state,
                   System::BlockSystem::Pattern &pattern) override;
 
       void
@@ -70,11 +70,11 @@ namespace Heddle
       }
 
       std::pair<double, double>
-      slope_and_curvature(const System::State &    state,
+      slope_and_curvature(const System::State     &state,
                           const System::Increment &increment) const override;
 
       double
-      largest_step(const System::State &    state,
+      largest_step(const System::State     &state,
                    const System::Increment &increment) const override;
 
       bool
@@ -93,7 +93,7 @@ namespace Heddle
       status() const override;
 
       void
-      report(const System::State &          state,
+      report(const System::State           &state,
              std::map<std::string, double> &values) const override;
 
       const std::vector<Contact::ContactElement> &
@@ -143,10 +143,10 @@ namespace Heddle
       search(System::State &state);
 
       void
-      cover_zone(const Contact::ProximityZone &              zone,
-                 const Contact::Curve &                      a,
-                 const Contact::Curve &                      b,
-                 const std::vector<Contact::ContactCell> &   old_cells);
+      cover_zone(const Contact::ProximityZone            &zone,
+                 const Contact::Curve                    &a,
+                 const Contact::Curve                    &b,
+                 const std::vector<Contact::ContactCell> &old_cells);
 
       void
       place_elements();
@@ -163,9 +163,19 @@ namespace Heddle
       Contact::IntermediateGeometry
       geometry(const Contact::ContactCell &cell) const;
 
-      /** Size of the cells of two fibers in the coordinate p [mm]. */
+      /** Size of the whole cells of two fibers in the coordinate p [mm]. */
       double
-      cell_size(const unsigned int a, const unsigned int b) const;
+      whole_cell(const unsigned int a, const unsigned int b) const;
+
+      /** Range of p that a cell covers. */
+      std::pair<double, double>
+      range(const Contact::ContactCell          &cell,
+            const Contact::IntermediateGeometry &between) const;
+
+      /** Penalty that the cell had among @p old_cells, or 0. */
+      double
+      old_penalty(const Contact::ContactCell              &cell,
+                  const std::vector<Contact::ContactCell> &old_cells) const;
 
       /** Penalty to begin with: line contact of two elastic cylinders. */
       double
@@ -179,12 +189,12 @@ namespace Heddle
 
       /** Local blocks of the particles of an element and their weights. */
       void
-      locate(const System::State &          state,
+      locate(const System::State           &state,
              const Contact::ContactElement &element,
-             unsigned int *                 blocks,
-             double *                       weights) const;
+             unsigned int                  *blocks,
+             double                        *weights) const;
 
-      const System::FiberSpace &        space;
+      const System::FiberSpace         &space;
       const Contact::ContactParameters &parameters;
       double                            threshold;
       double                            largest_radius = 0.;

@@ -22,7 +22,7 @@ namespace Heddle
        * The fibers are free of stress in the configuration @p reference, the
        * owned blocks of a State.
        */
-      FiberElasticity(const System::FiberSpace &       space,
+      FiberElasticity(const System::FiberSpace        &space,
                       const std::vector<Tensor<1, 3>> &reference);
 
       std::string
@@ -35,7 +35,7 @@ namespace Heddle
       begin_step(System::State &state) override;
 
       void
-      add_pattern(const System::State &         state,
+      add_pattern(const System::State          &state,
                   System::BlockSystem::Pattern &pattern) override;
 
       void
@@ -43,11 +43,11 @@ namespace Heddle
                System::BlockSystem &system) override;
 
       void
-      predict(const System::State &    state,
+      predict(const System::State     &state,
               const System::Increment &increment) override;
 
       void
-      report(const System::State &          state,
+      report(const System::State           &state,
              std::map<std::string, double> &values) const override;
 
       /** Reference strains of element @p e of the owned fiber @p f. */

@@ -28,8 +28,7 @@ namespace Heddle
       };
 
       /** @p name is what the log and the summary call them. */
-      NodalSprings(const std::string &        name,
-                   const std::vector<Spring> &springs);
+      NodalSprings(const std::string &name, const std::vector<Spring> &springs);
 
       std::string
       name() const override
@@ -40,7 +39,8 @@ namespace Heddle
       void
       add_pattern(const System::State &,
                   System::BlockSystem::Pattern &) override
-      {}
+      {
+      }
 
       void
       assemble(const System::State &state,

@@ -17,7 +17,7 @@ namespace Heddle
     /** Number the fibers and give them elements of equal lengths. */
     std::unique_ptr<System::FiberSpace>
     make_space(const std::vector<Textile::FiberPath> &paths,
-               const FiberParameters &                parameters,
+               const FiberParameters                 &parameters,
                const MPI_Comm                         communicator);
 
     /**
@@ -26,14 +26,14 @@ namespace Heddle
      * carried along it without twist.
      */
     void
-    place_fiber(const System::FiberSpace &       space,
+    place_fiber(const System::FiberSpace        &space,
                 const unsigned int               fiber,
                 const std::vector<Tensor<1, 3>> &points,
-                Tensor<1, 3> *                   blocks);
+                Tensor<1, 3>                    *blocks);
 
     /** Owned blocks of the fibers on their paths. */
     std::vector<Tensor<1, 3>>
-    place_on_paths(const System::FiberSpace &             space,
+    place_on_paths(const System::FiberSpace              &space,
                    const std::vector<Textile::FiberPath> &paths);
 
     /** Owned blocks of straight, unstretched fibers. */

@@ -22,10 +22,10 @@ namespace Heddle
     public:
       LinearSolverParameters(const std::string &section = "/Linear solver");
 
-      std::string  kind             = "automatic";
-      double       tolerance        = 0.03;
-      unsigned int max_iterations   = 400;
-      unsigned int direct_below     = 15000;
+      std::string  kind           = "automatic";
+      double       tolerance      = 0.03;
+      unsigned int max_iterations = 400;
+      unsigned int direct_below   = 15000;
     };
 
     /** How the linear system of a Newton iteration was solved. */
@@ -45,7 +45,7 @@ namespace Heddle
     {
     public:
       LinearSolver(const LinearSolverParameters &parameters,
-                   const System::BlockSystem &   system);
+                   const System::BlockSystem    &system);
 
       ~LinearSolver();
 
@@ -73,7 +73,7 @@ namespace Heddle
 
     private:
       const LinearSolverParameters &parameters;
-      const System::BlockSystem &   system;
+      const System::BlockSystem    &system;
       const bool                    direct;
       KSP                           ksp = nullptr;
       std::unique_ptr<FiberBlocks>  fiber_blocks;

@@ -31,8 +31,7 @@ namespace Heddle
     };
 
     /** The contributions of a scene, in the order of assembly. */
-    using Contributions =
-      std::vector<std::shared_ptr<System::Contribution>>;
+    using Contributions = std::vector<std::shared_ptr<System::Contribution>>;
 
     /** What Newton's method did. */
     struct NewtonResult
@@ -43,7 +42,7 @@ namespace Heddle
       unsigned int linear_iterations = 0;
       double       residual_ratio    = 0.;
       double       increment         = 0.; /**< largest motion, in radii [-] */
-      std::string  obstacle; /**< why not converged, in words */
+      std::string  obstacle;               /**< why not converged, in words */
     };
 
     /**
@@ -57,12 +56,12 @@ namespace Heddle
     class Newton
     {
     public:
-      Newton(const NewtonParameters &      parameters,
+      Newton(const NewtonParameters       &parameters,
              const LinearSolverParameters &linear_parameters,
              const MPI_Comm                communicator,
-             Log &                         log,
-             SectionTimer &                timer,
-             StopRequest &                 stop);
+             Log                          &log,
+             SectionTimer                 &timer,
+             StopRequest                  &stop);
 
       /**
        * Bring @p state to equilibrium.
@@ -97,43 +96,43 @@ namespace Heddle
       template <typename Action>
       void
       for_each_damped_block(const System::State &state,
-                            const Action &       action) const;
+                            const Action        &action) const;
 
       double
-      damping_curvature(const System::State &    state,
+      damping_curvature(const System::State     &state,
                         const System::Increment &increment) const;
 
       Residual
       judge(const System::State &state, const Contributions &contributions);
 
       double
-      line_search(System::State &          state,
-                  const Contributions &    contributions,
+      line_search(System::State           &state,
+                  const Contributions     &contributions,
                   const System::Increment &increment,
                   const double             largest);
 
       double
-      largest_motion(const System::State &    state,
+      largest_motion(const System::State     &state,
                      const System::Increment &increment) const;
 
       void
-      report(const unsigned int       iteration,
-             const Residual &         residual,
-             const NewtonResult &     result,
-             const Contributions &    contributions) const;
+      report(const unsigned int   iteration,
+             const Residual      &residual,
+             const NewtonResult  &result,
+             const Contributions &contributions) const;
 
-      const NewtonParameters &      parameters;
+      const NewtonParameters       &parameters;
       const LinearSolverParameters &linear_parameters;
       const MPI_Comm                communicator;
-      Log &                         log;
-      SectionTimer &                timer;
-      StopRequest &                 stop;
+      Log                          &log;
+      SectionTimer                 &timer;
+      StopRequest                  &stop;
 
-      std::unique_ptr<System::BlockSystem> block_system;
-      std::unique_ptr<LinearSolver>        linear_solver;
-      unsigned int                         ghost_version = 0;
+      std::unique_ptr<System::BlockSystem>         block_system;
+      std::unique_ptr<LinearSolver>                linear_solver;
+      unsigned int                                 ghost_version = 0;
       std::vector<System::BlockSystem::Constraint> constraints;
-      double                                       damping = 0.;
+      double                                       damping      = 0.;
       double                                       length_scale = 1.;
     };
   } // namespace Solver

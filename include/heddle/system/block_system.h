@@ -1,9 +1,9 @@
 #ifndef heddle_system_block_system_h
 #define heddle_system_block_system_h
 
-#include <deal.II/base/tensor.h>
-
 #include <heddle/system/state.h>
+
+#include <deal.II/base/tensor.h>
 
 #include <petscmat.h>
 
@@ -41,10 +41,10 @@ namespace Heddle
       /** Prescribed motion of some components of one block. */
       struct Constraint
       {
-        unsigned int          block;    /**< local number */
-        std::array<bool, 3>   fixed;    /**< by row of the frame */
-        Tensor<2, 3>          frame;    /**< rows: orthonormal directions */
-        std::array<double, 3> pending;  /**< what remains to be moved */
+        unsigned int          block;   /**< local number */
+        std::array<bool, 3>   fixed;   /**< by row of the frame */
+        Tensor<2, 3>          frame;   /**< rows: orthonormal directions */
+        std::array<double, 3> pending; /**< what remains to be moved */
       };
 
       /** @p symmetric halves the storage and permits LDL^T and CG. */
@@ -62,7 +62,8 @@ namespace Heddle
       public:
         Pattern(const unsigned int n_owned_blocks)
           : columns(n_owned_blocks)
-        {}
+        {
+        }
 
         /** All pairs of these local blocks. */
         void
@@ -101,8 +102,8 @@ namespace Heddle
       void
       add(const unsigned int  n,
           const unsigned int *blocks,
-          const double *      residual,
-          const double *      tangent);
+          const double       *residual,
+          const double       *tangent);
 
       /** Add @p value to the three diagonal entries of an owned block. */
       void
@@ -165,7 +166,7 @@ namespace Heddle
       void
       constrain(const unsigned int  n,
                 const unsigned int *blocks,
-                double *            tangent);
+                double             *tangent);
 
       const bool symmetric;
       Want       want = Want::residual;

@@ -35,7 +35,8 @@ namespace Heddle
       /** A step begins: the load factor of the state is the new one. */
       virtual void
       begin_step(State &)
-      {}
+      {
+      }
 
       /**
        * The configuration changed: bring what depends on it up to date, contact
@@ -43,7 +44,8 @@ namespace Heddle
        */
       virtual void
       update(State &)
-      {}
+      {
+      }
 
       /**
        * The same for a configuration that is only tried: what was searched
@@ -51,7 +53,8 @@ namespace Heddle
        */
       virtual void
       probe(State &)
-      {}
+      {
+      }
 
       /** Whether the pattern that was last given no longer suffices. */
       virtual bool
@@ -63,7 +66,8 @@ namespace Heddle
       /** Append the motions that this term prescribes in the current state. */
       virtual void
       constrain(const State &, std::vector<BlockSystem::Constraint> &) const
-      {}
+      {
+      }
 
       /** Say which blocks assemble() may couple. */
       virtual void
@@ -76,7 +80,8 @@ namespace Heddle
       /** A linear system was solved: @p increment is its whole solution. */
       virtual void
       predict(const State &, const Increment &)
-      {}
+      {
+      }
 
       /**
        * Largest factor in (0, 1] by which the step @p increment may be taken.
@@ -146,15 +151,18 @@ namespace Heddle
       /** Numbers for the summary and the history, by name with unit. */
       virtual void
       report(const State &, std::map<std::string, double> &) const
-      {}
+      {
+      }
 
       virtual void
       accept_step(const State &)
-      {}
+      {
+      }
 
       virtual void
       reject_step(State &)
-      {}
+      {
+      }
     };
   } // namespace System
 } // namespace Heddle
