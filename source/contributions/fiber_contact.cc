@@ -327,10 +327,11 @@ namespace Heddle
         return;
       zones.push_back({0., radius});
 
-      // Along p the distance changes by at most sin(45 deg).
+      // Along p the distance changes by at most sin(45 deg), but past the end
+      // of a fiber as much as p.
       const double reach = a.radius + b.radius +
                            parameters.search_distance * largest_radius +
-                           0.36 * size;
+                           0.5 * size;
       const auto first_of_zone = cells.size();
       double     known_penalty = 0.;
       for (cell.number = std::floor(begin / size); cell.number * size < end;
