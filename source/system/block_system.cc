@@ -125,6 +125,9 @@ namespace Heddle
       if (wants_tangent())
         {
           lifting.assign(state.n_owned_blocks(), Tensor<1, 3>());
+          // PETSc zeroes assembled matrices only: finish what was not.
+          MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY);
+          MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY);
           MatZeroEntries(matrix);
         }
     }
