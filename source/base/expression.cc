@@ -5,6 +5,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
+#include <iostream>
 #include <sstream>
 
 namespace Heddle
@@ -24,6 +25,26 @@ namespace Heddle
       words.erase(words.find_last_not_of(" .\n") + 1);
       return words;
     }
+
+
+
+    /** While it lives nothing is printed: deal.II shows errors by itself. */
+    class SilentErrors
+    {
+    public:
+      SilentErrors()
+        : screen(std::cerr.rdbuf(nullptr))
+      {
+      }
+
+      ~SilentErrors()
+      {
+        std::cerr.rdbuf(screen);
+      }
+
+    private:
+      std::streambuf *const screen;
+    };
   } // namespace
 
 
@@ -35,6 +56,7 @@ namespace Heddle
   {
     try
       {
+        const SilentErrors silent;
         parser->initialize("x,y,z,t",
                            text,
                            {{"pi", numbers::PI}},

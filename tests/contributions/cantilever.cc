@@ -5,6 +5,8 @@
 // fiber of slenderness 10 is another problem.
 #include "scene.h"
 
+#include <iomanip>
+
 int
 main(int argc, char **argv)
 {
@@ -41,7 +43,5 @@ main(int argc, char **argv)
                            (slenderness < 1e3 || error < 1e-5) &&
                            std::abs(balance) < 1e-4)
                 << std::endl;
-        if (std::getenv("SHOW"))
-          std::cout << scene.screen.str() << balance << std::endl;
       }
 }
