@@ -17,6 +17,9 @@ namespace Heddle
     {
       /** Ratio of the residual above which damping is at its full strength. */
       constexpr double unsettled = 10.;
+
+      /** Prescribed motion that is below round-off, in radii. */
+      constexpr double reached = 1e-9;
     } // namespace
 
 
@@ -108,7 +111,7 @@ namespace Heddle
           // Equilibrium counts only if no term objects to it.
           const bool balanced =
             residual.ratio <= parameters.residual_tolerance &&
-            residual.pending <= 1e-12;
+            residual.pending <= reached;
           const bool still =
             iteration > 0 && result.increment <= parameters.increment_tolerance;
           result.obstacle.clear();
@@ -119,6 +122,8 @@ namespace Heddle
                   result.obstacle = contribution->objection(state);
               if (result.obstacle.empty())
                 {
+                  for (const auto &contribution : contributions)
+                    contribution->observe(*block_system);
                   result.converged = true;
                   return result;
                 }
@@ -170,8 +175,10 @@ namespace Heddle
             largest =
               std::min(largest, contribution->largest_step(state, increment));
           largest = Utilities::MPI::min(largest, communicator);
-          taken = rough ? line_search(state, contributions, increment, largest)
-                        : largest;
+          // Prescribed motion does work: it may well raise the energy.
+          taken = rough && residual.pending <= reached
+                    ? line_search(state, contributions, increment, largest)
+                    : largest;
           for (Tensor<1, 3> &motion_of_block : increment)
             motion_of_block *= taken;
           for (const auto &contribution : contributions)

@@ -135,6 +135,15 @@ namespace Heddle
         return "";
       }
 
+      /**
+       * Equilibrium was found and accepted: @p system has its forces, the
+       * reactions of what is held among them.
+       */
+      virtual void
+      observe(const BlockSystem &)
+      {
+      }
+
       /** A force typical of this term, to judge residuals by, or 0 [N]. */
       virtual double
       typical_force() const
