@@ -19,6 +19,9 @@ namespace Heddle
       /** Where the normal law becomes linear, in radii. */
       constexpr double transition = 0.05;
 
+      /** Largest c: two fibers that both climb by 45 degrees. */
+      const double steepest = std::sqrt(3.);
+
       /** What overlaps less than this is apart, however far it is [mm]. */
       constexpr double apart = -std::numeric_limits<double>::max();
 
@@ -46,7 +49,7 @@ namespace Heddle
       for (unsigned int i = 0; i < space.n_fibers(); ++i)
         for (unsigned int j = 0; j < space.n_fibers(); ++j)
           if ((space.owns(i) || space.owns(j)) && puts_above(i, j))
-            pairs.push_back({i, j, {}});
+            pairs.push_back({i, j, {}, 1.});
     }
 
 
@@ -80,6 +83,17 @@ namespace Heddle
       for (Pair &pair : pairs)
         largest = std::max(largest, overlap(state, pair));
       return Utilities::MPI::max(largest, space.communicator());
+    }
+
+
+
+    void
+    CrossingEnforcement::begin_step(System::State &state)
+    {
+      update_curves(state);
+      for (Pair &pair : pairs)
+        if (overlap(state, pair) > apart)
+          pair.climb = std::min(pair.crossing.normal.norm(), steepest);
     }
 
 
@@ -135,7 +149,8 @@ namespace Heddle
           !Contact::find_projected_crossing(
             curve(pair.upper), curve(pair.lower), pair.crossing))
         return apart;
-      return space.fiber(pair.upper).radius + space.fiber(pair.lower).radius -
+      return pair.climb * (space.fiber(pair.upper).radius +
+                           space.fiber(pair.lower).radius) -
              pair.crossing.height;
     }
 

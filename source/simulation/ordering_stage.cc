@@ -25,8 +25,8 @@ namespace Heddle
       add_parameter("Clearance",
                     clearance,
                     "Height that is enforced between fibers that cross, beyond "
-                    "that at which level ones touch, over the smallest radius: "
-                    "what fibers that climb need. Inactive like the steps [-].",
+                    "that at which they touch, over the smallest radius. "
+                    "Inactive like the steps [-].",
                     prm,
                     Patterns::Double(0., 10.));
       add_parameter("Damping",

@@ -31,10 +31,12 @@ namespace Heddle
      *
      * For each upper and lower fiber the particles are those whose projections
      * on the plane of the fabric coincide. The gap is counted along z,
-     * @f[ g = z_u - z_l - (R_u + R_l) + a, @f]
-     * with an allowance a that is to be lowered step by step from the initial
-     * overlap to zero or below. So only the few layers of the two yarns that
-     * are next to each other touch at a time, and each step is a small one.
+     * @f[ g = z_u - z_l - c (R_u + R_l) + a, @f]
+     * where c >= 1 is what fibers that climb need to be as far apart as level
+     * ones, from their slopes when the step began, and a is an allowance, to be
+     * lowered step by step from the initial overlap to zero or below. So only
+     * the few layers of the two yarns that are next to each other touch at a
+     * time, and each step is a small one.
      *
      * The derivative of g is $n \cdot (\delta x_u - \delta x_l)$, exactly, with
      * the normal n of both fibers at the crossing, scaled to $n_z = 1$: the
@@ -81,6 +83,9 @@ namespace Heddle
       {
         return n_overlapping;
       }
+
+      void
+      begin_step(System::State &state) override;
 
       void
       update(System::State &state) override;
@@ -131,6 +136,7 @@ namespace Heddle
       {
         unsigned int               upper, lower;
         Contact::ProjectedCrossing crossing;
+        double                     climb = 1.; /**< c [-] */
       };
 
       /** Two particles that overlap. */

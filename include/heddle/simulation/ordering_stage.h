@@ -24,7 +24,7 @@ namespace Heddle
 
       unsigned int n_steps    = 24;
       unsigned int iterations = 2;
-      double       clearance  = 0.3;
+      double       clearance  = 0.1;
       double       damping    = 3e-4;
     };
 
