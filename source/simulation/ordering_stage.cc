@@ -1,3 +1,4 @@
+#include <heddle/contributions/section_damping.h>
 #include <heddle/simulation/ordering_stage.h>
 
 #include <algorithm>
@@ -6,6 +7,35 @@ namespace Heddle
 {
   namespace Simulation
   {
+    namespace
+    {
+      /** Overlap with which ordinary contact can begin, over the radius. */
+      constexpr double left_over = 0.3;
+
+
+
+      double
+      smallest_radius(const System::FiberSpace &space)
+      {
+        double radius = space.fiber(0).radius;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          radius = std::min(radius, space.fiber(f).radius);
+        return radius;
+      }
+
+
+
+      void
+      count(const Solver::NewtonResult &solved, OrderingResult &result)
+      {
+        result.newton_iterations += solved.iterations;
+        result.factorizations += solved.factorizations;
+        result.linear_iterations += solved.linear_iterations;
+      }
+    } // namespace
+
+
+
     OrderingParameters::OrderingParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
@@ -63,9 +93,9 @@ namespace Heddle
       const std::vector<Contributions::OrderedYarns>     &crossings,
       const std::function<void(unsigned int)>            &after_step)
     {
-      const System::FiberSpace &space = state.space;
-      const auto                enforcement =
-        std::make_shared<Contributions::CrossingEnforcement>(space, crossings);
+      const auto enforcement =
+        std::make_shared<Contributions::CrossingEnforcement>(state.space,
+                                                             crossings);
       contact->restrict_to([enforcement](unsigned int a, unsigned int b) {
         return !enforcement->enforces(a, b);
       });
@@ -73,46 +103,61 @@ namespace Heddle
 
       // Contact chooses the ghosts, so it comes before the enforcement.
       Solver::Contributions contributions = others;
+      contributions.push_back(
+        std::make_shared<Contributions::SectionDamping>());
       contributions.push_back(contact);
       contributions.push_back(enforcement);
+      const OrderingResult result =
+        lower_allowance(state, contributions, *enforcement, after_step);
 
+      contact->restrict_to([](unsigned int, unsigned int) { return true; });
+      state.accept();
+      return result;
+    }
+
+
+
+    OrderingResult
+    OrderingStage::lower_allowance(
+      System::State                           &state,
+      const Solver::Contributions             &contributions,
+      Contributions::CrossingEnforcement      &enforcement,
+      const std::function<void(unsigned int)> &after_step)
+    {
       Solver::NewtonParameters newton_parameters(parameters.get_section_name() +
                                                  "/Newton");
       newton_parameters.max_iterations = parameters.iterations;
       newton_parameters.damping        = parameters.damping;
       Solver::Newton newton(newton_parameters,
                             linear_parameters,
-                            space.communicator(),
+                            state.space.communicator(),
                             log,
                             timer,
                             stop);
 
-      double radius = space.fiber(0).radius;
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        radius = std::min(radius, space.fiber(f).radius);
-      const double first = enforcement->largest_overlap(state);
-      const double last  = -parameters.clearance * radius;
-
+      // Steps beyond the last hold what they have until the fibers followed.
+      const double   radius  = smallest_radius(state.space);
+      const double   first   = enforcement.largest_overlap(state);
+      const double   last    = -parameters.clearance * radius;
+      double         overlap = first;
       OrderingResult result;
-      for (unsigned int step = 1; step <= parameters.n_steps; ++step)
+      while (
+        result.steps < parameters.n_steps ||
+        (overlap > left_over * radius && result.steps < 2 * parameters.n_steps))
         {
-          const double progress = double(step) / parameters.n_steps;
-          enforcement->set_allowance(first + progress * (last - first));
+          ++result.steps;
+          const double progress =
+            std::min(1., double(result.steps) / parameters.n_steps);
+          enforcement.set_allowance(first + progress * (last - first));
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
-          const Solver::NewtonResult solved =
-            newton.solve(state, contributions);
-          result.steps = step;
-          result.newton_iterations += solved.iterations;
-          result.factorizations += solved.factorizations;
-          result.linear_iterations += solved.linear_iterations;
+          count(newton.solve(state, contributions), result);
           result.most_active =
-            std::max(result.most_active, enforcement->n_active());
-          after_step(step);
+            std::max(result.most_active, enforcement.n_active());
+          overlap                = enforcement.largest_overlap(state);
+          result.least_clearance = -overlap / radius;
+          after_step(result.steps);
         }
-      result.least_height = 2. * radius - enforcement->largest_overlap(state);
-      state.accept();
-      contact->restrict_to([](unsigned int, unsigned int) { return true; });
       return result;
     }
   } // namespace Simulation

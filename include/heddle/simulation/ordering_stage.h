@@ -41,8 +41,11 @@ namespace Heddle
       /** Largest number of enforced contacts that were active at once. */
       double most_active = 0.;
 
-      /** Least height between fibers that cross, over their touching one. */
-      double least_height = 0.;
+      /**
+       * Least height between fibers that cross, less that at which they touch,
+       * over the radius; above -2 all of them are in order [-].
+       */
+      double least_clearance = 0.;
     };
 
 
@@ -84,6 +87,12 @@ namespace Heddle
         });
 
     private:
+      OrderingResult
+      lower_allowance(System::State                           &state,
+                      const Solver::Contributions             &contributions,
+                      Contributions::CrossingEnforcement      &enforcement,
+                      const std::function<void(unsigned int)> &after_step);
+
       const OrderingParameters             &parameters;
       const Solver::LinearSolverParameters &linear_parameters;
       Log                                  &log;
