@@ -21,6 +21,26 @@ namespace Heddle
        * times larger.
        */
       constexpr double crossing_factor = 10.;
+
+
+
+      /** The middle of a cell, and the particles that face each other there. */
+      struct CellPlace
+      {
+        double size, p, q, s_a, s_b; /**< [mm] */
+      };
+
+
+
+      CellPlace
+      place_of(const ContactCell &cell, const double whole)
+      {
+        const double size = std::ldexp(whole, -int(cell.level));
+        const double p    = (cell.number + 0.5) * size;
+        const double q    = 0.5 * (cell.q_begin + cell.q_end);
+        return {
+          size, p, q, 0.5 * (p + q), 0.5 * cell.orientation * (p - q)};
+      }
     } // namespace
 
 
@@ -210,21 +230,30 @@ namespace Heddle
                               const double                    whole,
                               const std::vector<ContactCell> &old_cells) const
     {
-      // The cell itself, or one of another level that covers its middle.
-      ContactCell low = cell;
-      low.orientation = -2;
-      const double middle =
-        std::ldexp((cell.number + 0.5) * whole, -int(cell.level));
-      double penalty = 0.;
+      // The cell itself, one of another level that covers its middle, or, where
+      // the fibers turned through a right angle, one of the other orientation
+      // between the same particles.
+      ContactCell low  = cell;
+      low.orientation  = -2;
+      const auto place = [whole](const ContactCell &any) {
+        return place_of(any, whole);
+      };
+      const CellPlace here    = place(cell);
+      double          penalty = 0.;
       for (auto old = std::lower_bound(old_cells.begin(), old_cells.end(), low);
            old != old_cells.end() && old->fiber_a == cell.fiber_a &&
            old->fiber_b == cell.fiber_b;
            ++old)
         {
-          const double size = std::ldexp(whole, -int(old->level));
-          if (old->orientation == cell.orientation &&
-              std::abs((old->number + 0.5) * size - middle) < 0.51 * size &&
-              std::abs(old->q_begin - cell.q_begin) < whole)
+          const CellPlace there = place(*old);
+          const double    close = 0.3 * (there.size + here.size);
+          const bool      same =
+            old->orientation == cell.orientation ?
+                   std::abs(there.p - here.p) < 0.51 * there.size &&
+                std::abs(there.q - here.q) < whole :
+                   std::abs(there.s_a - here.s_a) < close &&
+                std::abs(there.s_b - here.s_b) < close;
+          if (same)
             penalty = std::max(penalty, old->penalty);
         }
       return penalty;

@@ -12,10 +12,20 @@ namespace Heddle
       choose_direct(const LinearSolverParameters &parameters,
                     const System::BlockSystem    &system)
       {
-        if (parameters.kind != "automatic")
-          return parameters.kind == "direct";
-        return !system.is_symmetric() ||
-               system.state.space.n_dofs() < parameters.direct_below;
+        return parameters.direct(system.state.space.n_dofs()) ||
+               (parameters.kind == "automatic" && !system.is_symmetric());
+      }
+
+
+
+      /** Set an option of PETSc, unless the user has. */
+      void
+      set_default(const std::string &option, const std::string &value)
+      {
+        PetscBool set;
+        PetscOptionsHasName(nullptr, nullptr, option.c_str(), &set);
+        if (!set)
+          PetscOptionsSetValue(nullptr, option.c_str(), value.c_str());
       }
     } // namespace
 
@@ -70,6 +80,10 @@ namespace Heddle
           KSPSetType(ksp, KSPPREONLY);
           PCSetType(pc, system.is_symmetric() ? PCCHOLESKY : PCLU);
           PCFactorSetMatSolverType(pc, MATSOLVERMUMPS);
+
+          // Pivoting needs more room than the analysis foresees, on many ranks
+          // above all: leave 200 percent.
+          set_default("-mat_mumps_icntl_14", "200");
         }
       else
         {

@@ -20,6 +20,9 @@ namespace Heddle
 
       /** A line search ends where the slope is this part of the first one. */
       constexpr double flat = 0.1;
+
+      /** Prescribed motion that is below round-off, in radii. */
+      constexpr double reached = 1e-9;
     } // namespace
 
 
@@ -111,7 +114,7 @@ namespace Heddle
           // Equilibrium counts only if no term objects to it.
           const bool balanced =
             residual.ratio <= parameters.residual_tolerance &&
-            residual.pending <= 1e-12;
+            residual.pending <= reached;
           const bool still =
             iteration > 0 && result.increment <= parameters.increment_tolerance;
           result.obstacle.clear();
@@ -122,6 +125,8 @@ namespace Heddle
                   result.obstacle = contribution->objection(state);
               if (result.obstacle.empty())
                 {
+                  for (const auto &contribution : contributions)
+                    contribution->observe(*block_system);
                   result.converged = true;
                   return result;
                 }
@@ -173,8 +178,10 @@ namespace Heddle
             largest =
               std::min(largest, contribution->largest_step(state, increment));
           largest = Utilities::MPI::min(largest, communicator);
-          taken = rough ? line_search(state, contributions, increment, largest)
-                        : largest;
+          // Prescribed motion does work: it may well raise the energy.
+          taken = rough && residual.pending <= reached
+                    ? line_search(state, contributions, increment, largest)
+                    : largest;
           for (Tensor<1, 3> &motion_of_block : increment)
             motion_of_block *= taken;
           for (const auto &contribution : contributions)
@@ -187,6 +194,17 @@ namespace Heddle
             damping = parameters.damping *
                       std::min(1., std::sqrt(residual.ratio / unsettled));
         }
+    }
+
+
+
+    double
+    Newton::residual_ratio(System::State       &state,
+                           const Contributions &contributions)
+    {
+      prepare(state, contributions);
+      assemble(state, contributions);
+      return judge(state, contributions).ratio;
     }
 
 

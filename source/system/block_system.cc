@@ -125,6 +125,9 @@ namespace Heddle
       if (wants_tangent())
         {
           lifting.assign(state.n_owned_blocks(), Tensor<1, 3>());
+          // PETSc zeroes assembled matrices only: finish what was not.
+          MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY);
+          MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY);
           MatZeroEntries(matrix);
         }
     }
@@ -306,8 +309,14 @@ namespace Heddle
       VecRestoreArrayRead(increment, &solution);
       for (const Constraint &constraint : constraints)
         if (constraint.block < state.n_owned_blocks())
-          values[constraint.block] =
-            transpose(constraint.frame) * values[constraint.block];
+          {
+            // An iterative solver meets prescribed motion only roughly.
+            Tensor<1, 3> &motion = values[constraint.block];
+            for (unsigned int d = 0; d < 3; ++d)
+              if (constraint.fixed[d])
+                motion[d] = constraint.pending[d];
+            motion = transpose(constraint.frame) * motion;
+          }
       state.update_ghosts(values);
     }
   } // namespace System

@@ -1,6 +1,7 @@
 #ifndef heddle_system_contribution_h
 #define heddle_system_contribution_h
 
+#include <heddle/base/archive.h>
 #include <heddle/system/block_system.h>
 #include <heddle/system/state.h>
 
@@ -134,6 +135,15 @@ namespace Heddle
         return "";
       }
 
+      /**
+       * Equilibrium was found and accepted: @p system has its forces, the
+       * reactions of what is held among them.
+       */
+      virtual void
+      observe(const BlockSystem &)
+      {
+      }
+
       /** A force typical of this term, to judge residuals by, or 0 [N]. */
       virtual double
       typical_force() const
@@ -161,6 +171,20 @@ namespace Heddle
 
       virtual void
       reject_step(State &)
+      {
+      }
+
+      /**
+       * Write to a checkpoint, under "name()/...", what a resumed run must
+       * know and cannot compute from the state, and take it back from there.
+       */
+      virtual void
+      save(ArchiveWriter &) const
+      {
+      }
+
+      virtual void
+      load(const ArchiveReader &)
       {
       }
     };

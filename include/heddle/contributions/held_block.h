@@ -1,0 +1,53 @@
+#ifndef heddle_contributions_held_block_h
+#define heddle_contributions_held_block_h
+
+#include <heddle/contributions/support_parameters.h>
+
+#include <array>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /** A block of unknowns that supports hold, wholly or in part. */
+    struct HeldBlock
+    {
+      /** What the block is, and what of it is held. */
+      enum class Kind
+      {
+        position,  /**< components of the position */
+        section,   /**< all of a section vector, turned with the section */
+        direction, /**< the direction of a tangent, turned with the section */
+        tangent    /**< components of a tangent */
+      };
+
+      static constexpr unsigned int nobody = static_cast<unsigned int>(-1);
+
+      unsigned int fiber;
+      unsigned int block; /**< counted from the fiber's first */
+      Kind         kind;
+      Tensor<1, 3> position;  /**< reference position of its node [mm] */
+      Tensor<1, 3> reference; /**< the block in the reference configuration */
+
+      /** Number of the support that holds a component, or nobody. */
+      std::array<unsigned int, 3> holder = {{nobody, nobody, nobody}};
+    };
+
+    /**
+     * Return all blocks that @p supports hold, on all ranks, by fiber and
+     * block. Two supports may hold different components of a block, or the same
+     * one in the same way; throw InputError for what does not go together.
+     * @p reference are the owned blocks in the reference configuration.
+     * @note Collective.
+     */
+    std::vector<HeldBlock>
+    find_held_blocks(const System::FiberSpace        &space,
+                     const std::vector<Tensor<1, 3>> &reference,
+                     const SupportList               &supports);
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

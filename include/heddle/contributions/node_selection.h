@@ -1,0 +1,78 @@
+#ifndef heddle_contributions_node_selection_h
+#define heddle_contributions_node_selection_h
+
+#include <heddle/system/fiber_space.h>
+
+#include <deal.II/base/parameter_acceptor.h>
+#include <deal.II/base/point.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /** A node with its blocks in the reference configuration. */
+    struct SelectedNode
+    {
+      unsigned int                fiber;
+      unsigned int                node;
+      std::array<Tensor<1, 3>, 3> reference;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &fiber &node &reference;
+      }
+    };
+
+    /** Nodes that a user chooses, for a support or a load. */
+    struct NodeSelection
+    {
+      std::string fibers = "all";
+      std::string nodes  = "both ends";
+      Point<3>    point;
+      double      distance = 0.; /**< [mm] */
+
+      /** Declare the entries in the section of @p owner. */
+      void
+      add_parameters(ParameterAcceptor &owner);
+
+      /**
+       * Return the numbers of the chosen fibers, in ascending order. Throw
+       * InputError if a word stands for none. @p where is the section.
+       */
+      std::vector<unsigned int>
+      find_fibers(const System::FiberSpace &space,
+                  const std::string        &where) const;
+
+      /**
+       * Return the chosen nodes of all ranks, fiber by fiber. @p reference are
+       * the owned blocks in the reference configuration. Throw InputError if
+       * there are none.
+       * @note Collective.
+       */
+      std::vector<SelectedNode>
+      find_nodes(const System::FiberSpace        &space,
+                 const std::vector<Tensor<1, 3>> &reference,
+                 const std::string               &where) const;
+
+    private:
+      bool
+      chooses(const unsigned int  node,
+              const unsigned int  n_nodes,
+              const Tensor<1, 3> &position) const;
+    };
+
+    /** Return how messages name a section: without the first slash. */
+    std::string
+    section_in_words(const ParameterAcceptor &parameters);
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,89 @@
+#ifndef heddle_contributions_supports_h
+#define heddle_contributions_supports_h
+
+#include <heddle/base/expression.h>
+#include <heddle/contributions/held_block.h>
+#include <heddle/contributions/support_parameters.h>
+#include <heddle/system/contribution.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /**
+     * Prescribed motions of nodes and sections, and the forces that they cost.
+     *
+     * A section is held by its section vectors. The Hermite element has a
+     * tangent in their place: only its direction is held, by its two
+     * components normal to the direction wanted, so that the fiber may stretch.
+     */
+    class Supports : public System::Contribution
+    {
+    public:
+      /**
+       * Motions are counted from the configuration @p reference, given by its
+       * owned blocks.
+       * @note Collective. Throws InputError, see find_held_blocks().
+       */
+      Supports(const System::FiberSpace        &space,
+               const std::vector<Tensor<1, 3>> &reference,
+               const SupportList               &supports);
+
+      std::string
+      name() const override
+      {
+        return "supports";
+      }
+
+      void
+      constrain(const System::State                          &state,
+                std::vector<System::BlockSystem::Constraint> &constraints)
+        const override;
+
+      void
+      add_pattern(const System::State &,
+                  System::BlockSystem::Pattern &) override
+      {
+      }
+
+      void
+      assemble(const System::State &, System::BlockSystem &) override
+      {
+      }
+
+      void
+      observe(const System::BlockSystem &system) override;
+
+      /** The sum of the forces by which each support acts on the fibers. */
+      void
+      report(const System::State           &state,
+             std::map<std::string, double> &values) const override;
+
+    private:
+      /** The formulas of one support; free components have none. */
+      struct Motion
+      {
+        std::array<std::unique_ptr<Expression>, 3> displacement;
+        std::unique_ptr<Expression>                angle;
+        Tensor<1, 3>                               axis;
+      };
+
+      /** Where the motion takes a block; free components: its reference. */
+      Tensor<1, 3>
+      target(const HeldBlock &held, const double load_factor) const;
+
+      const System::FiberSpace    &space;
+      const std::vector<HeldBlock> blocks;
+      std::vector<Motion>          motions;
+      std::vector<Tensor<1, 3>>    reactions; /**< [N] */
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

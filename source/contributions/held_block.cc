@@ -1,0 +1,149 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/contributions/held_block.h>
+
+#include <map>
+#include <utility>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    namespace
+    {
+      /** Collects blocks and sees to it that supports agree on each. */
+      class Collector
+      {
+      public:
+        Collector(const SupportList &supports)
+          : supports(supports)
+        {
+        }
+
+        /** Support number @p holder holds component @p d of this block. */
+        void
+        hold(const HeldBlock   &wanted,
+             const unsigned int node,
+             const unsigned int d,
+             const unsigned int holder)
+        {
+          const auto         key  = std::make_pair(wanted.fiber, wanted.block);
+          HeldBlock         &held = blocks.emplace(key, wanted).first->second;
+          const unsigned int before = held.holder[d];
+          const bool         agree =
+            held.kind == wanted.kind &&
+            (before == HeldBlock::nobody ||
+             same_motion(*supports[before], *supports[holder], held.kind, d));
+          if (!agree)
+            complain(held, node, holder);
+          if (before == HeldBlock::nobody)
+            held.holder[d] = holder;
+        }
+
+        std::vector<HeldBlock>
+        list() const
+        {
+          std::vector<HeldBlock> all;
+          for (const auto &entry : blocks)
+            all.push_back(entry.second);
+          return all;
+        }
+
+      private:
+        static bool
+        same_motion(const SupportParameters &a,
+                    const SupportParameters &b,
+                    const HeldBlock::Kind    kind,
+                    const unsigned int       d)
+        {
+          if (kind == HeldBlock::Kind::position)
+            return a.displacement[d] == b.displacement[d];
+          if (kind == HeldBlock::Kind::tangent)
+            return true;
+          return a.section == b.section &&
+                 (a.section == "held" ||
+                  (a.angle == b.angle && a.axis == b.axis));
+        }
+
+        [[noreturn]] void
+        complain(const HeldBlock   &held,
+                 const unsigned int node,
+                 const unsigned int holder) const
+        {
+          unsigned int other = HeldBlock::nobody;
+          for (const unsigned int support : held.holder)
+            other = std::min(other, support);
+          throw InputError(
+            section_in_words(*supports[holder]) + " and " +
+            section_in_words(*supports[other]) + " hold the " +
+            (held.kind == HeldBlock::Kind::position ? "position" : "section") +
+            " of node " + std::to_string(node) + " of fiber " +
+            std::to_string(held.fiber) +
+            " in different ways; leave it free in one of them, or choose "
+            "other nodes.");
+        }
+
+        const SupportList                                         &supports;
+        std::map<std::pair<unsigned int, unsigned int>, HeldBlock> blocks;
+      };
+
+
+
+      /** Let @p collector know what support @p number holds of @p node. */
+      void
+      hold_node(const SupportParameters &support,
+                const unsigned int       number,
+                const SelectedNode      &node,
+                const unsigned int       n_blocks_per_node,
+                Collector               &collector)
+      {
+        const auto hold = [&](const unsigned int    block,
+                              const HeldBlock::Kind kind,
+                              const unsigned int    d) {
+          HeldBlock held;
+          held.fiber     = node.fiber;
+          held.block     = node.node * n_blocks_per_node + block;
+          held.kind      = kind;
+          held.position  = node.reference[0];
+          held.reference = node.reference[block];
+          collector.hold(held, node.node, d, number);
+        };
+
+        for (unsigned int d = 0; d < 3; ++d)
+          if (support.displacement[d] != "free")
+            hold(0, HeldBlock::Kind::position, d);
+        if (support.section != "free")
+          for (unsigned int block = 1; block < n_blocks_per_node; ++block)
+            for (unsigned int d = 0; d < 3; ++d)
+              hold(block,
+                   n_blocks_per_node == 2 ? HeldBlock::Kind::direction
+                                          : HeldBlock::Kind::section,
+                   d);
+        for (const std::string &component : support.held_tangent)
+          hold(1, HeldBlock::Kind::tangent, component[0] - 'x');
+      }
+    } // namespace
+
+
+
+    std::vector<HeldBlock>
+    find_held_blocks(const System::FiberSpace        &space,
+                     const std::vector<Tensor<1, 3>> &reference,
+                     const SupportList               &supports)
+    {
+      Collector collector(supports);
+      for (unsigned int i = 0; i < supports.size(); ++i)
+        {
+          const SupportParameters &support = *supports[i];
+          require(support.held_tangent.empty() ||
+                    space.n_blocks_per_node() == 2,
+                  support.entry("Held tangent components") +
+                    " needs the element \"hermite\"; with \"" +
+                    space.element().name() + "\" hold the section instead.");
+          for (const SelectedNode &node : support.nodes.find_nodes(
+                 space, reference, section_in_words(support)))
+            hold_node(support, i, node, space.n_blocks_per_node(), collector);
+        }
+      return collector.list();
+    }
+  } // namespace Contributions
+} // namespace Heddle

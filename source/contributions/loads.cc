@@ -1,0 +1,278 @@
+#include <heddle/beam/end_moment.h>
+#include <heddle/contributions/loads.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    namespace
+    {
+      bool
+      is_nothing(const std::array<std::string, 3> &components)
+      {
+        return std::all_of(components.begin(),
+                           components.end(),
+                           [](const std::string &text) { return text == "0"; });
+      }
+
+
+
+      std::array<Expression, 3>
+      parse(const LoadParameters             &parameters,
+            const std::string                &name,
+            const std::array<std::string, 3> &texts)
+      {
+        const auto component = [&](const unsigned int d) {
+          return Expression(texts[d], parameters.entry(name, d));
+        };
+        return {{component(0), component(1), component(2)}};
+      }
+    } // namespace
+
+
+
+    Loads::Loads(const System::FiberSpace        &space,
+                 const std::vector<Tensor<1, 3>> &reference,
+                 const LoadList                  &loads)
+      : space(space)
+      , n_vectors(space.n_blocks_per_node() - 1)
+      , external(reference.size())
+      , totals(loads.size())
+    {
+      for (unsigned int i = 0; i < loads.size(); ++i)
+        {
+          const LoadParameters &load = *loads[i];
+          forces_of.push_back(parse(load, "Force", load.force));
+          moments_of.push_back(parse(load, "Moment", load.moment));
+          forces_per_length_of.push_back(
+            parse(load, "Force per length", load.force_per_length));
+          add_nodes(i, load, reference);
+          if (!is_nothing(load.force_per_length))
+            add_fibers(i, load, reference);
+        }
+    }
+
+
+
+    void
+    Loads::add_nodes(const unsigned int               load,
+                     const LoadParameters            &parameters,
+                     const std::vector<Tensor<1, 3>> &reference)
+    {
+      const std::vector<SelectedNode> nodes = parameters.nodes.find_nodes(
+        space, reference, section_in_words(parameters));
+      n_nodes_of.push_back(nodes.size());
+      for (const SelectedNode &node : nodes)
+        if (space.owns(node.fiber))
+          {
+            const System::Fiber &fiber = space.fiber(node.fiber);
+            const unsigned int   block = space.first_block(node.fiber) -
+                                       space.owned_blocks().first +
+                                       node.node * space.n_blocks_per_node();
+            const Tensor<1, 3> &position = node.reference[0];
+            watched.push_back({load, block, position});
+            if (!is_nothing(parameters.force))
+              forces.push_back(
+                {load, block, 1., position, /*per_length=*/false});
+            if (!is_nothing(parameters.moment))
+              moments.push_back({load,
+                                 block + 1,
+                                 fiber.length / (fiber.n_nodes - 1),
+                                 position,
+                                 Tensor<1, 3>(),
+                                 Tensor<1, 3>()});
+          }
+    }
+
+
+
+    void
+    Loads::add_fibers(const unsigned int               load,
+                      const LoadParameters            &parameters,
+                      const std::vector<Tensor<1, 3>> &reference)
+    {
+      const QGauss<1> quadrature(3);
+      for (const unsigned int f :
+           parameters.nodes.find_fibers(space, section_in_words(parameters)))
+        if (space.owns(f))
+          {
+            const unsigned int first =
+              space.first_block(f) - space.owned_blocks().first;
+            const double *s = space.node_positions(f);
+            for (unsigned int i = 0; i + 1 < space.fiber(f).n_nodes; ++i)
+              for (unsigned int q = 0; q < quadrature.size(); ++q)
+                {
+                  const double length = s[i + 1] - s[i];
+                  const auto   point =
+                    space.locate(f, s[i] + quadrature.point(q)[0] * length);
+                  Tensor<1, 3> position;
+                  for (unsigned int k = 0; k < 4; ++k)
+                    position +=
+                      point.values[k] * reference[first + point.blocks[k]];
+                  for (unsigned int k = 0; k < 4; ++k)
+                    forces.push_back(
+                      {load,
+                       first + point.blocks[k],
+                       quadrature.weight(q) * length * point.values[k],
+                       position,
+                       /*per_length=*/true});
+                }
+          }
+    }
+
+
+
+    Tensor<1, 3>
+    Loads::evaluate(const Expressions  &expressions,
+                    const Tensor<1, 3> &position,
+                    const double        load_factor)
+    {
+      Tensor<1, 3> vector;
+      for (unsigned int d = 0; d < 3; ++d)
+        vector[d] = expressions[d].value(position, load_factor);
+      return vector;
+    }
+
+
+
+    void
+    Loads::begin_step(System::State &state)
+    {
+      std::fill(external.begin(), external.end(), Tensor<1, 3>());
+      std::vector<double> sums(3 * totals.size(), 0.);
+      for (const Force &force : forces)
+        {
+          const Tensor<1, 3> value =
+            force.weight * evaluate(force.per_length
+                                      ? forces_per_length_of[force.load]
+                                      : forces_of[force.load],
+                                    force.position,
+                                    state.load_factor);
+          external[force.block] += value;
+          if (force.block % (n_vectors + 1) == 0)
+            for (unsigned int d = 0; d < 3; ++d)
+              sums[3 * force.load + d] += value[d];
+        }
+      Utilities::MPI::sum(sums, space.communicator(), sums);
+      for (unsigned int k = 0; k < sums.size(); ++k)
+        totals[k / 3][k % 3] = sums[k];
+
+      for (Moment &moment : moments)
+        moment.value =
+          evaluate(moments_of[moment.load], moment.position, state.load_factor);
+      predicted = false;
+      find_largest_force();
+    }
+
+
+
+    void
+    Loads::find_largest_force()
+    {
+      largest_force = 0.;
+      for (unsigned int b = 0; b < external.size(); b += n_vectors + 1)
+        largest_force = std::max(largest_force, external[b].norm());
+      for (const Moment &moment : moments)
+        largest_force =
+          std::max(largest_force, moment.value.norm() / moment.interval);
+      largest_force = Utilities::MPI::max(largest_force, space.communicator());
+    }
+
+
+
+    void
+    Loads::add_pattern(const System::State &,
+                       System::BlockSystem::Pattern &pattern)
+    {
+      for (const Moment &moment : moments)
+        {
+          const std::array<unsigned int, 2> blocks = {
+            {moment.block, moment.block + 1}};
+          pattern.couple(n_vectors, blocks.data());
+        }
+    }
+
+
+
+    void
+    Loads::assemble(const System::State &state, System::BlockSystem &system)
+    {
+      const std::array<double, 9> no_tangent = {};
+      for (unsigned int b = 0; b < external.size(); ++b)
+        if (external[b] != Tensor<1, 3>())
+          {
+            const Tensor<1, 3> residual = -external[b];
+            system.add(1, &b, residual.begin_raw(), no_tangent.data());
+          }
+
+      const unsigned int     n = 3 * n_vectors;
+      std::array<double, 6>  force, residual;
+      std::array<double, 36> derivative, tangent;
+      for (const Moment &moment : moments)
+        {
+          Beam::end_moment(moment.value,
+                           n_vectors,
+                           state.current().data() + moment.block,
+                           predicted ? &moment.predicted : nullptr,
+                           force.data(),
+                           derivative.data());
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              residual[i] = -force[i];
+              for (unsigned int j = 0; j < n; ++j)
+                tangent[n * i + j] =
+                  system.is_symmetric()
+                    ? -0.5 * (derivative[n * i + j] + derivative[n * j + i])
+                    : -derivative[n * i + j];
+            }
+          const std::array<unsigned int, 2> blocks = {
+            {moment.block, moment.block + 1}};
+          system.add(n_vectors, blocks.data(), residual.data(), tangent.data());
+        }
+    }
+
+
+
+    void
+    Loads::predict(const System::State     &state,
+                   const System::Increment &increment)
+    {
+      for (Moment &moment : moments)
+        moment.predicted =
+          Beam::predict_end_moment(moment.value,
+                                   n_vectors,
+                                   state.current().data() + moment.block,
+                                   increment.data() + moment.block,
+                                   predicted ? &moment.predicted : nullptr);
+      predicted = true;
+    }
+
+
+
+    void
+    Loads::report(const System::State           &state,
+                  std::map<std::string, double> &values) const
+    {
+      std::vector<double> motion(3 * totals.size(), 0.);
+      for (const Watched &node : watched)
+        for (unsigned int d = 0; d < 3; ++d)
+          motion[3 * node.load + d] +=
+            (state.current()[node.block][d] - node.position[d]) /
+            n_nodes_of[node.load];
+      Utilities::MPI::sum(motion, space.communicator(), motion);
+      for (unsigned int k = 0; k < motion.size(); ++k)
+        {
+          const std::string load = "load_" + std::to_string(k / 3 + 1);
+          values[load + "_force_" + "xyz"[k % 3] + "[N]"] =
+            totals[k / 3][k % 3];
+          values[load + "_displacement_" + "xyz"[k % 3] + "[mm]"] = motion[k];
+        }
+    }
+  } // namespace Contributions
+} // namespace Heddle

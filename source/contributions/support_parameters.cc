@@ -1,0 +1,96 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/base/expression.h>
+#include <heddle/contributions/support_parameters.h>
+
+#include <algorithm>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    SupportParameters::SupportParameters(const std::string &section_name)
+      : ParameterAcceptor(section_name)
+    {
+      nodes.add_parameters(*this);
+      for (unsigned int d = 0; d < 3; ++d)
+        add_parameter(std::string("Displacement ") + "xyz"[d],
+                      displacement[d],
+                      "'free', or a formula of the reference position x, y, z "
+                      "[mm] and the load factor t: the displacement from the "
+                      "reference position [mm].");
+      add_parameter(
+        "Section",
+        section,
+        "'held' keeps the section (with the element 'hermite' the direction of "
+        "the axis, which may stretch), 'turned' turns it by 'Turn angle', "
+        "'free' leaves it free.",
+        prm,
+        Patterns::Selection("free|held|turned"));
+      add_parameter("Turn angle",
+                    angle,
+                    "Formula of x, y, z [mm] and t: angle by which sections "
+                    "are turned from the reference configuration. Inactive "
+                    "unless 'Section' is 'turned' [rad].");
+      add_parameter("Turn axis",
+                    axis,
+                    "Direction, of any length, about which sections are "
+                    "turned, through each node. Inactive unless 'Section' is "
+                    "'turned' [-].");
+      add_parameter("Held tangent components",
+                    held_tangent,
+                    "Components x, y, z of the tangent dx/ds that keep their "
+                    "reference values; the others are free. For the element "
+                    "'hermite', with the 'Section' 'free' [-].",
+                    prm,
+                    Patterns::List(Patterns::Selection("x|y|z"), 0, 3));
+      parse_parameters_call_back.connect([this]() { check(); });
+    }
+
+
+
+    void
+    SupportParameters::check() const
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        if (displacement[d] != "free")
+          Expression(displacement[d],
+                     entry(std::string("Displacement ") + "xyz"[d]));
+      Expression(angle, entry("Turn angle"));
+      require(section != "turned" || axis.norm() > 0.,
+              entry("Turn axis") + " is 0, 0, 0, which is no direction.");
+      require(section == "free" || held_tangent.empty(),
+              entry("Held tangent components") +
+                " needs a free section, but \"Section\" is \"" + section +
+                "\".");
+      const bool all_free = std::all_of(
+        displacement.begin(),
+        displacement.end(),
+        [](const std::string &component) { return component == "free"; });
+      require(!all_free || section != "free" || !held_tangent.empty(),
+              section_in_words(*this) +
+                ": this support holds nothing; give a displacement, set the "
+                "section to \"held\" or \"turned\", or leave the support out.");
+    }
+
+
+
+    std::string
+    SupportParameters::entry(const std::string &name) const
+    {
+      return section_in_words(*this) + ": \"" + name + "\"";
+    }
+
+
+
+    SupportList
+    declare_supports(const ParameterFile &file)
+    {
+      SupportList        supports;
+      const unsigned int n = file.count_sections("/Supports", "Support");
+      for (unsigned int i = 1; i <= n; ++i)
+        supports.push_back(std::make_unique<SupportParameters>(
+          "/Supports/Support " + std::to_string(i)));
+      return supports;
+    }
+  } // namespace Contributions
+} // namespace Heddle

@@ -1,0 +1,149 @@
+#include <heddle/contributions/supports.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/physics/transformations.h>
+
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    namespace
+    {
+      /** Rows: the direction of @p tangent, and two normals of it. */
+      Tensor<2, 3>
+      frame_along(const Tensor<1, 3> &tangent)
+      {
+        unsigned int smallest = 0;
+        for (unsigned int d = 1; d < 3; ++d)
+          if (std::abs(tangent[d]) < std::abs(tangent[smallest]))
+            smallest = d;
+        Tensor<1, 3> axis;
+        axis[smallest] = 1.;
+
+        Tensor<2, 3> frame;
+        frame[0] = tangent / tangent.norm();
+        frame[1] = cross_product_3d(frame[0], axis);
+        frame[1] /= frame[1].norm();
+        frame[2] = cross_product_3d(frame[0], frame[1]);
+        return frame;
+      }
+    } // namespace
+
+
+
+    Supports::Supports(const System::FiberSpace        &space,
+                       const std::vector<Tensor<1, 3>> &reference,
+                       const SupportList               &supports)
+      : space(space)
+      , blocks(find_held_blocks(space, reference, supports))
+      , reactions(supports.size())
+    {
+      for (const auto &support : supports)
+        {
+          Motion motion;
+          for (unsigned int d = 0; d < 3; ++d)
+            if (support->displacement[d] != "free")
+              motion.displacement[d] = std::make_unique<Expression>(
+                support->displacement[d],
+                support->entry(std::string("Displacement ") + "xyz"[d]));
+          if (support->section == "turned")
+            {
+              motion.angle = std::make_unique<Expression>(
+                support->angle, support->entry("Turn angle"));
+              motion.axis = support->axis / support->axis.norm();
+            }
+          motions.push_back(std::move(motion));
+        }
+    }
+
+
+
+    Tensor<1, 3>
+    Supports::target(const HeldBlock &held, const double load_factor) const
+    {
+      Tensor<1, 3> where = held.reference;
+      if (held.kind == HeldBlock::Kind::position)
+        {
+          for (unsigned int d = 0; d < 3; ++d)
+            if (held.holder[d] != HeldBlock::nobody)
+              where[d] += motions[held.holder[d]].displacement[d]->value(
+                held.position, load_factor);
+        }
+      else if (held.kind != HeldBlock::Kind::tangent)
+        {
+          const Motion &motion = motions[held.holder[0]];
+          if (motion.angle)
+            where =
+              Physics::Transformations::Rotations::rotation_matrix_3d(
+                motion.axis, motion.angle->value(held.position, load_factor)) *
+              held.reference;
+        }
+      return where;
+    }
+
+
+
+    void
+    Supports::constrain(
+      const System::State                          &state,
+      std::vector<System::BlockSystem::Constraint> &constraints) const
+    {
+      for (const HeldBlock &held : blocks)
+        if (state.has(held.fiber))
+          {
+            System::BlockSystem::Constraint constraint = {};
+            constraint.block = state.local_block(held.fiber) + held.block;
+            constraint.frame = unit_symmetric_tensor<3>();
+            const Tensor<1, 3> goal = target(held, state.load_factor);
+            Tensor<1, 3> motion     = goal - state.current()[constraint.block];
+            if (held.kind == HeldBlock::Kind::direction)
+              {
+                constraint.frame = frame_along(goal);
+                constraint.fixed = {{false, true, true}};
+                motion           = constraint.frame * motion;
+              }
+            else
+              for (unsigned int d = 0; d < 3; ++d)
+                constraint.fixed[d] = held.holder[d] != HeldBlock::nobody;
+            for (unsigned int d = 0; d < 3; ++d)
+              constraint.pending[d] = constraint.fixed[d] ? motion[d] : 0.;
+            constraints.push_back(constraint);
+          }
+    }
+
+
+
+    void
+    Supports::observe(const System::BlockSystem &system)
+    {
+      std::vector<double> sums(3 * reactions.size(), 0.);
+      for (const HeldBlock &held : blocks)
+        if (held.kind == HeldBlock::Kind::position && space.owns(held.fiber))
+          {
+            const Tensor<1, 3> &force =
+              system
+                .residual()[system.state.local_block(held.fiber) + held.block];
+            for (unsigned int d = 0; d < 3; ++d)
+              if (held.holder[d] != HeldBlock::nobody)
+                sums[3 * held.holder[d] + d] += force[d];
+          }
+      Utilities::MPI::sum(sums, space.communicator(), sums);
+      for (unsigned int k = 0; k < sums.size(); ++k)
+        reactions[k / 3][k % 3] = sums[k];
+    }
+
+
+
+    void
+    Supports::report(const System::State &,
+                     std::map<std::string, double> &values) const
+    {
+      for (unsigned int i = 0; i < reactions.size(); ++i)
+        for (unsigned int d = 0; d < 3; ++d)
+          values["support_" + std::to_string(i + 1) + "_force_" + "xyz"[d] +
+                 "[N]"] = reactions[i][d];
+    }
+  } // namespace Contributions
+} // namespace Heddle
