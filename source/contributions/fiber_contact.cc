@@ -374,22 +374,37 @@ namespace Heddle
       const Contact::ContactCell              &cell,
       const std::vector<Contact::ContactCell> &old_cells) const
     {
-      // The cell itself, or one of another level that covers its middle.
+      // The cell itself, one of another level that covers its middle, or, where
+      // the fibers turned through a right angle, one of the other orientation
+      // between the same particles.
       Contact::ContactCell low = cell;
       low.orientation          = -2;
       const double whole       = whole_cell(cell.fiber_a, cell.fiber_b);
-      const double middle =
-        std::ldexp((cell.number + 0.5) * whole, -int(cell.level));
-      double penalty = 0.;
+      const auto   size_of     = [whole](const Contact::ContactCell &any) {
+        return std::ldexp(whole, -int(any.level));
+      };
+      const auto middle_of = [&](const Contact::ContactCell &any) {
+        return (any.number + 0.5) * size_of(any);
+      };
+      const auto particles_of = [&](const Contact::ContactCell &any) {
+        const double p = middle_of(any), q = 0.5 * (any.q_begin + any.q_end);
+        return std::make_pair(0.5 * (p + q), 0.5 * any.orientation * (p - q));
+      };
+      const auto particles = particles_of(cell);
+      double     penalty   = 0.;
       for (auto old = std::lower_bound(old_cells.begin(), old_cells.end(), low);
            old != old_cells.end() && old->fiber_a == cell.fiber_a &&
            old->fiber_b == cell.fiber_b;
            ++old)
         {
-          const double size = std::ldexp(whole, -int(old->level));
-          if (old->orientation == cell.orientation &&
-              std::abs((old->number + 0.5) * size - middle) < 0.51 * size &&
-              std::abs(old->q_begin - cell.q_begin) < whole)
+          const auto   others = particles_of(*old);
+          const double near   = 0.3 * (size_of(*old) + size_of(cell));
+          if (old->orientation == cell.orientation
+                ? std::abs(middle_of(*old) - middle_of(cell)) <
+                      0.51 * size_of(*old) &&
+                    std::abs(old->q_begin - cell.q_begin) < whole
+                : std::abs(others.first - particles.first) < near &&
+                    std::abs(others.second - particles.second) < near)
             penalty = std::max(penalty, old->penalty);
         }
       return penalty;
