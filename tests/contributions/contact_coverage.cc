@@ -35,15 +35,16 @@ overlaps(const ContactScene &scene,
 {
   constexpr unsigned int    n = 240;
   std::vector<Tensor<1, 3>> x[2];
-  for (const unsigned int f : {a, b})
+  for (unsigned int side = 0; side < 2; ++side)
     for (unsigned int k = 0; k <= n; ++k)
       {
-        const auto point =
+        const unsigned int f = side == 0 ? a : b;
+        const auto         point =
           scene.space.locate(f, scene.space.fiber(f).length * k / n);
         Tensor<1, 3> position;
         for (unsigned int i = 0; i < 4; ++i)
           position += point.values[i] * scene.state.fiber(f)[point.blocks[i]];
-        x[f == a ? 0 : 1].push_back(position);
+        x[side].push_back(position);
       }
   std::vector<std::pair<double, double>> result;
   const auto distance = [&](const int i, const int j) {
