@@ -70,7 +70,6 @@ examine(const std::string &name,
           << (coarse > 0. && jump < 3e-3 * coarse + 2e-3 ? "continuous"
                                                          : "JUMPS")
           << std::endl;
-  std::cerr << name << ' ' << coarse << ' ' << fine << ' ' << jump << std::endl;
 }
 
 

@@ -58,7 +58,5 @@ main(int argc, char **argv)
                                                                          : "NO")
               << ", the same again " << (change < 1e-12 * sum ? "yes" : "NO")
               << std::endl;
-      std::cerr << sum << ' ' << force.norm() << ' ' << moment.norm() << ' '
-                << scene.energy() / smooth.energy() << std::endl;
     }
 }
