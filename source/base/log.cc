@@ -49,11 +49,11 @@ namespace Heddle
 
 
   void
-  Log::open(const std::string &name)
+  Log::open(const std::string &name, const std::ios_base::openmode mode)
   {
     if (!speaks)
       return;
-    file.open(name);
+    file.open(name, mode);
     require(file.good(), "The log \"" + name + "\" cannot be written.");
     file << said_before_open << std::flush;
     said_before_open.clear();

@@ -50,18 +50,18 @@ namespace Heddle
           , coupling(2. * section.poisson_ratio * (lambda + section.thickness))
         {
           const double stretch = lambda + 2. * section.thickness;
-          diagonal = {section.axial + 2. * section.poisson_ratio * coupling,
-                      section.shear,
-                      section.shear,
-                      stretch,
-                      stretch,
-                      section.thickness,
-                      section.bending,
-                      section.bending,
-                      section.torsion,
-                      section.gradient,
-                      section.gradient,
-                      2. * section.gradient};
+          diagonal = {{section.axial + 2. * section.poisson_ratio * coupling,
+                       section.shear,
+                       section.shear,
+                       stretch,
+                       stretch,
+                       section.thickness,
+                       section.bending,
+                       section.bending,
+                       section.torsion,
+                       section.gradient,
+                       section.gradient,
+                       2. * section.gradient}};
         }
 
 

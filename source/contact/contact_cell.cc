@@ -12,6 +12,15 @@ namespace Heddle
     {
       namespace ContactCell
       {
+        /** Places and weights of the elements of a stretch, from -1 to 1. */
+        constexpr std::array<std::pair<double, double>, 4> gauss_points = {
+          {{-0.8611363115940526, 0.3478548451374538},
+           {-0.3399810435848563, 0.6521451548625461},
+           {0.3399810435848563, 0.6521451548625461},
+           {0.8611363115940526, 0.3478548451374538}}};
+
+
+
         /** f(t) = c0 + c1 t + c2 t^2 + c3 t^3 for t in [0, 1]. */
         struct Cubic
         {
@@ -83,10 +92,11 @@ namespace Heddle
              const double                p,
              const double                q)
     {
-      CellEnd               end{p, q, 0., 0.};
+      CellEnd               end{p, q, 0., 0., FacingEnd::none};
       const FacingParticles particles = geometry.facing(p, end.q);
       end.squared_distance            = particles.squared_distance;
       end.slope                       = particles.slope;
+      end.end                         = particles.end;
       return end;
     }
 
@@ -117,87 +127,131 @@ namespace Heddle
 
 
 
+    namespace
+    {
+      /** The same within a cell in which no end of a fiber begins to face. */
+      double
+      place_in_smooth_cell(const IntermediateGeometry  &geometry,
+                           const CellEnd               &begin,
+                           const CellEnd               &end,
+                           std::vector<ContactElement> &elements)
+      {
+        using namespace internal::ContactCell;
+        const double size  = end.p - begin.p;
+        const double reach = geometry.a.radius + geometry.b.radius;
+        const double f0    = begin.squared_distance - reach * reach,
+                     f1    = end.squared_distance - reach * reach,
+                     m0 = size * begin.slope, m1 = size * end.slope;
+
+        // The control polygon bounds the cubic: most cells end here.
+        if (std::min({f0, f0 + m0 / 3., f1 - m1 / 3., f1}) >= 0.)
+          return 0.;
+        const Cubic f = {
+          f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
+
+        std::array<double, 2> stationary;
+        const unsigned int    n_stationary = stationary_points(f, stationary);
+        double                deepest      = 0.;
+        const auto            guess        = [&](const double t) {
+          return begin.q + t * (end.q - begin.q);
+        };
+
+        // Walk over the monotone pieces and collect stretches with f < 0.
+        double stretch_begin = 0., low = 0.;
+        bool   inside = f0 < 0.;
+        for (unsigned int piece = 0; piece <= n_stationary; ++piece)
+          {
+            const double high = piece < n_stationary ? stationary[piece] : 1.;
+            const bool   ends = piece == n_stationary;
+            double       stretch_end = high;
+            bool         complete    = inside && ends;
+            if ((f(high) < 0.) != inside)
+              {
+                const double root = root_between(f, low, high);
+                if (inside)
+                  {
+                    stretch_end = root;
+                    complete    = true;
+                  }
+                else
+                  {
+                    stretch_begin = root;
+                    complete      = ends;
+                  }
+                inside = !inside;
+              }
+            if (complete)
+              {
+                const double middle = 0.5 * (stretch_begin + stretch_end);
+                const double half   = 0.5 * (stretch_end - stretch_begin);
+                for (const auto &point : gauss_points)
+                  {
+                    const double t = middle + point.first * half;
+                    // p measures twice the length of the intermediate curve.
+                    deepest =
+                      std::max(deepest,
+                               -place_element(geometry,
+                                              begin.p + t * size,
+                                              guess(t),
+                                              0.5 * point.second * half * size,
+                                              elements));
+                  }
+              }
+            low = high;
+          }
+
+        for (unsigned int k = 0; k < n_stationary; ++k)
+          if (f(stationary[k]) < 0.)
+            {
+              double                q = guess(stationary[k]);
+              const FacingParticles particles =
+                geometry.facing(begin.p + stationary[k] * size, q);
+              deepest = std::max(deepest,
+                                 reach - std::sqrt(particles.squared_distance));
+            }
+        for (const CellEnd *cell_end : {&begin, &end})
+          deepest =
+            std::max(deepest, reach - std::sqrt(cell_end->squared_distance));
+        return deepest;
+      }
+    } // namespace
+
+
+
     double
     place_elements(const IntermediateGeometry  &geometry,
                    const CellEnd               &begin,
                    const CellEnd               &end,
                    std::vector<ContactElement> &elements)
     {
-      using namespace internal::ContactCell;
-      const double size  = end.p - begin.p;
-      const double reach = geometry.a.radius + geometry.b.radius;
-      const double f0    = begin.squared_distance - reach * reach,
-                   f1    = end.squared_distance - reach * reach,
-                   m0 = size * begin.slope, m1 = size * end.slope;
-
-      // The control polygon bounds the cubic: most cells end here.
-      if (std::min({f0, f0 + m0 / 3., f1 - m1 / 3., f1}) >= 0.)
-        return 0.;
-      const Cubic f = {
-        f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
-
-      std::array<double, 2> stationary;
-      const unsigned int    n_stationary = stationary_points(f, stationary);
-      double                deepest      = 0.;
-      const auto            guess        = [&](const double t) {
-        return begin.q + t * (end.q - begin.q);
-      };
-
-      // Walk over the monotone pieces and collect stretches with f < 0.
-      double stretch_begin = 0., low = 0.;
-      bool   inside = f0 < 0.;
-      for (unsigned int piece = 0; piece <= n_stationary; ++piece)
+      const double size    = end.p - begin.p;
+      double       deepest = 0.;
+      CellEnd      from    = begin;
+      if (begin.end != end.end)
         {
-          const double high = piece < n_stationary ? stationary[piece] : 1.;
-          const bool   ends = piece == n_stationary;
-          double       stretch_end = high;
-          bool         complete    = inside && ends;
-          if ((f(high) < 0.) != inside)
+          // The distance changes by no more than p: is there an overlap?
+          if (std::sqrt(begin.squared_distance) +
+                std::sqrt(end.squared_distance) - size >
+              2. * (geometry.a.radius + geometry.b.radius))
+            return 0.;
+          for (unsigned int cut = 0; cut < 3 && from.end != end.end; ++cut)
             {
-              const double root = root_between(f, low, high);
-              if (inside)
+              CellEnd low = from, high = end;
+              for (unsigned int step = 0; step < 45; ++step)
                 {
-                  stretch_end = root;
-                  complete    = true;
+                  const CellEnd middle = cell_end(
+                    geometry, 0.5 * (low.p + high.p), 0.5 * (low.q + high.q));
+                  (middle.end == from.end ? low : high) = middle;
                 }
-              else
-                {
-                  stretch_begin = root;
-                  complete      = ends;
-                }
-              inside = !inside;
+              if (low.p - from.p > 1e-9 * size)
+                deepest = std::max(
+                  deepest, place_in_smooth_cell(geometry, from, low, elements));
+              from = high;
             }
-          if (complete)
-            {
-              const double middle = 0.5 * (stretch_begin + stretch_end);
-              const double half   = 0.5 * (stretch_end - stretch_begin);
-              for (const double x : {-std::sqrt(1. / 3.), std::sqrt(1. / 3.)})
-                {
-                  const double t = middle + x * half;
-                  // p measures twice the length of the intermediate curve.
-                  deepest = std::max(deepest,
-                                     -place_element(geometry,
-                                                    begin.p + t * size,
-                                                    guess(t),
-                                                    0.5 * half * size,
-                                                    elements));
-                }
-            }
-          low = high;
         }
-
-      for (unsigned int k = 0; k < n_stationary; ++k)
-        if (f(stationary[k]) < 0.)
-          {
-            double                q = guess(stationary[k]);
-            const FacingParticles particles =
-              geometry.facing(begin.p + stationary[k] * size, q);
-            deepest =
-              std::max(deepest, reach - std::sqrt(particles.squared_distance));
-          }
-      for (const CellEnd *cell_end : {&begin, &end})
-        deepest =
-          std::max(deepest, reach - std::sqrt(cell_end->squared_distance));
+      if (end.p - from.p > 1e-9 * size)
+        deepest = std::max(deepest,
+                           place_in_smooth_cell(geometry, from, end, elements));
       return deepest;
     }
   } // namespace Contact

@@ -7,6 +7,10 @@ namespace Heddle
     ContactParameters::ContactParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
+      add_parameter("Enabled",
+                    enabled,
+                    "Whether fibers keep each other, and themselves, out. If "
+                    "not, no other entry of this section is active [-].");
       add_parameter(
         "Penetration threshold",
         threshold,

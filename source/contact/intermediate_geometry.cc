@@ -80,11 +80,17 @@ namespace Heddle
 
       // Along p both particles advance by half, but at the end of a fiber only
       // the other one does.
-      double       advance_a = 0.5, advance_b = 0.5 * sigma;
       const double tolerance = 1e-9 * scale;
-      if (result.s_a < tolerance || result.s_a > a.length() - tolerance)
+      result.end             = result.s_a < tolerance ? FacingEnd::first_of_a
+                               : result.s_a > a.length() - tolerance ? FacingEnd::last_of_a
+                               : result.s_b < tolerance ? FacingEnd::first_of_b
+                               : result.s_b > b.length() - tolerance ? FacingEnd::last_of_b
+                                                                     : FacingEnd::none;
+      double advance_a = 0.5, advance_b = 0.5 * sigma;
+      if (result.end == FacingEnd::first_of_a ||
+          result.end == FacingEnd::last_of_a)
         advance_a = 0., advance_b = sigma;
-      else if (result.s_b < tolerance || result.s_b > b.length() - tolerance)
+      else if (result.end != FacingEnd::none)
         advance_a = 1., advance_b = 0.;
       result.slope = 2. * (result.connection * (advance_a * point_a.tangent -
                                                 advance_b * point_b.tangent));

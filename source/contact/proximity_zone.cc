@@ -27,6 +27,68 @@ namespace Heddle
 
 
 
+        /** Distance of the middles of two intervals. */
+        double
+        distance(const Curve       &a,
+                 const unsigned int i,
+                 const Curve       &b,
+                 const unsigned int j)
+        {
+          unsigned int hint_a = i, hint_b = j;
+          return (a.evaluate(0.5 * (a.arc_lengths[i] + a.arc_lengths[i + 1]),
+                             hint_a)
+                    .position -
+                  b.evaluate(0.5 * (b.arc_lengths[j] + b.arc_lengths[j + 1]),
+                             hint_b)
+                    .position)
+            .norm();
+        }
+
+
+
+        /** Cosine of the angle of two curves where they are closest to each
+         * other, sought from these intervals. */
+        double
+        cosine_at_closest(const Curve       &a,
+                          const unsigned int i,
+                          const Curve       &b,
+                          const unsigned int j)
+        {
+          unsigned int hint_a = i, hint_b = j;
+          double       s_a = 0.5 * (a.arc_lengths[i] + a.arc_lengths[i + 1]),
+                 s_b       = 0.5 * (b.arc_lengths[j] + b.arc_lengths[j + 1]);
+          const double largest_step = a.radius + b.radius;
+          const auto   bounded =
+            [](const double low, const double value, const double high) {
+              return std::min(std::max(value, low), high);
+            };
+          CurvePoint point_a, point_b;
+          for (unsigned int iteration = 0; iteration < 20; ++iteration)
+            {
+              point_a = a.evaluate(s_a, hint_a);
+              point_b = b.evaluate(s_b, hint_b);
+
+              // A step of Gauss and Newton; of parallel fibers none is closest.
+              const Tensor<1, 3> connection =
+                point_a.position - point_b.position;
+              const double aa          = 1.01 * point_a.tangent.norm_square(),
+                           bb          = 1.01 * point_b.tangent.norm_square(),
+                           ab          = point_a.tangent * point_b.tangent,
+                           fa          = -(connection * point_a.tangent),
+                           fb          = connection * point_b.tangent;
+              const double determinant = aa * bb - ab * ab;
+              s_a += bounded(
+                -largest_step, (bb * fa + ab * fb) / determinant, largest_step);
+              s_b += bounded(
+                -largest_step, (ab * fa + aa * fb) / determinant, largest_step);
+              s_a = bounded(0., s_a, a.length());
+              s_b = bounded(0., s_b, b.length());
+            }
+          return point_a.tangent * point_b.tangent;
+        }
+
+
+
         /** Number the connected components of the pairs of intervals. */
         std::vector<unsigned int>
         connect(const CandidatePair       *first,
@@ -108,18 +170,31 @@ namespace Heddle
             zone.fiber_a = first->fiber_a;
             zone.fiber_b = first->fiber_b;
 
-            double       cosine_sum = 0., sine_sum = 0.;
-            unsigned int size = 0;
+            double       sine_sum = 0., least_distance = 0.;
+            unsigned int size = 0, closest = c;
             for (unsigned int k = 0; k < n; ++k)
               if (component[k] == c)
                 {
-                  cosine_sum += cosines[k];
+                  const double distance = internal::ProximityZone::distance(
+                    a, first[k].interval_a, b, first[k].interval_b);
+                  if (size == 0 || distance < least_distance)
+                    {
+                      least_distance = distance;
+                      closest        = k;
+                    }
                   sine_sum +=
                     std::sqrt(std::max(0., 1. - cosines[k] * cosines[k]));
                   ++size;
                 }
-            zone.orientation = cosine_sum >= 0. ? 1 : -1;
-            zone.sine        = sine_sum / size;
+            // At a right angle both orientations give the same forces: it has
+            // to change where the fibers are at one, which is where they touch.
+            zone.orientation =
+              internal::ProximityZone::cosine_at_closest(
+                a, first[closest].interval_a, b, first[closest].interval_b) >=
+                  0.
+                ? 1
+                : -1;
+            zone.sine = sine_sum / size;
 
             zone.begin = std::numeric_limits<double>::max();
             zone.end   = -zone.begin;

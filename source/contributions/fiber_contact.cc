@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace Heddle
 {
@@ -50,6 +48,15 @@ namespace Heddle
     FiberContact::set_threshold(const double value)
     {
       threshold = value;
+    }
+
+
+
+    void
+    FiberContact::begin_step(System::State &)
+    {
+      searched = false;
+      pattern_pairs.clear();
     }
 
 
@@ -320,10 +327,11 @@ namespace Heddle
         return;
       zones.push_back({0., radius});
 
-      // Along p the distance changes by at most sin(45 deg).
+      // Along p the distance changes by at most sin(45 deg), but past the end
+      // of a fiber as much as p.
       const double reach = a.radius + b.radius +
                            parameters.search_distance * largest_radius +
-                           0.36 * size;
+                           0.5 * size;
       const auto first_of_zone = cells.size();
       double     known_penalty = 0.;
       for (cell.number = std::floor(begin / size); cell.number * size < end;
@@ -444,7 +452,7 @@ namespace Heddle
     FiberContact::gather_statistics()
     {
       std::array<double, 4> sums     = {};
-      std::array<double, 3> extremes = {0., 0., -1e300};
+      std::array<double, 3> extremes = {{0., 0., -1e300}};
       for (const Contact::ContactElement &element : contact_elements)
         if (space.owns(element.fiber_a) && element.force > 0.)
           {
@@ -659,46 +667,6 @@ namespace Heddle
             }
         }
       return Utilities::MPI::max(changed ? 1 : 0, space.communicator()) > 0;
-    }
-
-
-
-    std::string
-    FiberContact::objection(const System::State &) const
-    {
-      if (statistics.deepest <= threshold)
-        return "";
-      std::ostringstream text;
-      text << std::setprecision(3) << "penetration " << statistics.deepest
-           << " of the radius, above " << threshold;
-      return text.str();
-    }
-
-
-
-    std::string
-    FiberContact::status() const
-    {
-      std::ostringstream text;
-      text << "contacts " << static_cast<unsigned long>(statistics.n_elements)
-           << " active " << static_cast<unsigned long>(statistics.n_active)
-           << std::scientific << std::setprecision(1) << " penetration "
-           << statistics.deepest << " penalty " << statistics.least_penalty
-           << " to " << statistics.largest_penalty;
-      return text.str();
-    }
-
-
-
-    void
-    FiberContact::report(const System::State &,
-                         std::map<std::string, double> &values) const
-    {
-      values["contact_elements[-]"]        = statistics.n_elements;
-      values["active_contact_elements[-]"] = statistics.n_active;
-      values["mean_contact_force[N]"]      = statistics.mean_force;
-      values["max_penetration_ratio[-]"]   = statistics.deepest;
-      values["contact_energy[N*mm]"]       = statistics.energy;
     }
   } // namespace Contributions
 } // namespace Heddle

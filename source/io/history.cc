@@ -17,14 +17,7 @@ namespace Heddle
                                {"stage", "-"},
                                {"load_factor", "-"},
                                {"newton_iterations", "-"},
-                               {"residual", "N"},
-                               {"contact_elements", "-"},
-                               {"active_contact_elements", "-"},
-                               {"max_penetration_ratio", "-"},
-                               {"min_penalty", "N/mm^2"},
-                               {"max_penalty", "N/mm^2"},
-                               {"energy_elastic", "N mm"},
-                               {"energy_contact", "N mm"}})
+                               {"residual_ratio", "-"}})
         table.add_column(column.first, column.second);
       for (const Column &column : more_columns)
         table.add_column(column.first, column.second);

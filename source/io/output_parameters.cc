@@ -40,6 +40,12 @@ namespace Heddle
                     "inactive if 'Checkpoint interval' is 0 [-].",
                     prm,
                     Patterns::Integer(1));
+      add_parameter("Yarn stations",
+                    yarn_stations,
+                    "Sections at which each yarn is measured at the end of a "
+                    "stage (yarns.csv); 0: none. Inactive without yarns [-].",
+                    prm,
+                    Patterns::Integer(0));
     }
 
 

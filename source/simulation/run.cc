@@ -1,20 +1,108 @@
-#include <heddle/base/log.h>
-#include <heddle/base/parameter_file.h>
+#include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
+#include <heddle/base/version.h>
+#include <heddle/simulation/computation.h>
 #include <heddle/simulation/run.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <filesystem>
+#include <iomanip>
 
 namespace Heddle
 {
   namespace Simulation
   {
+    namespace
+    {
+      /** Where results go: command line, parameter, or the file's name. */
+      std::string
+      output_directory(const CommandLine   &command_line,
+                       const RunParameters &parameters)
+      {
+        if (!command_line.output_directory.empty())
+          return command_line.output_directory;
+        if (!parameters.output_directory.empty())
+          return parameters.output_directory;
+        const std::filesystem::path file(command_line.parameter_file);
+        return "output/" + file.stem().string();
+      }
+
+
+
+      void
+      print_banner(Log &log, const MPI_Comm communicator)
+      {
+        std::string versions = version_text();
+        for (auto end = versions.find('\n'); end != std::string::npos;
+             end      = versions.find('\n'))
+          versions.replace(end, 1, ", ");
+        const unsigned int n = Utilities::MPI::n_mpi_processes(communicator);
+        log << versions << n << (n == 1 ? " rank" : " ranks") << std::endl;
+      }
+
+
+
+      void
+      print_sizes(Log &log, const Scene &scene, const Parameters &parameters)
+      {
+        const System::FiberSpace &space = scene.space();
+        log << "Fibers         " << space.n_fibers() << '\n'
+            << "Nodes          " << space.n_nodes() << '\n'
+            << "Unknowns       " << space.n_dofs() << '\n'
+            << "Contributions  ";
+        std::string comma;
+        for (const std::string &name : scene.contribution_names())
+          {
+            log << comma << name;
+            comma = ", ";
+          }
+        log << "\nLinear solver  "
+            << (parameters.linear_solver.direct(space.n_dofs())
+                  ? "direct"
+                  : "fiber blocks")
+            << "\nMemory         about " << std::fixed << std::setprecision(0)
+            << std::ceil(scene.estimated_memory() / 1e6) << " MB" << std::endl;
+      }
+    } // namespace
+
+
+
     void
     run(const CommandLine &command_line, const MPI_Comm communicator)
     {
-      Log           log(communicator);
       ParameterFile file(command_line.parameter_file);
       for (const std::string &assignment : command_line.assignments)
         file.set(assignment);
-      file.apply();
-      log << "Parameters from " << file.name() << std::endl;
+      const Parameters parameters(file);
+      Log              log(communicator);
+      if (command_line.task == CommandLine::Task::print_parameters)
+        {
+          log << Parameters::text() << std::flush;
+          return;
+        }
+
+      SectionTimer timer;
+      StopRequest  stop(communicator);
+      stop.set_limit(parameters.run.wall_time_limit);
+      print_banner(log, communicator);
+      parameters.check(file);
+      Scene scene(parameters, file.name(), communicator);
+      print_sizes(log, scene, parameters);
+      if (command_line.task == CommandLine::Task::validate)
+        return;
+
+      const std::string directory =
+        output_directory(command_line, parameters.run);
+      create_folder(directory);
+      log.open(directory + "/log.txt",
+               command_line.resume ? std::ios_base::app : std::ios_base::out);
+      log << "Results        " << directory << std::endl;
+      Recorder    recorder(scene, parameters, file, directory, timer);
+      Computation computation(scene, parameters, recorder, log, timer, stop);
+      computation.run(command_line.resume);
+      if (parameters.run.timing)
+        log << timer.table() << std::flush;
     }
   } // namespace Simulation
 } // namespace Heddle

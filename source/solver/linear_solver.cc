@@ -12,10 +12,8 @@ namespace Heddle
       choose_direct(const LinearSolverParameters &parameters,
                     const System::BlockSystem    &system)
       {
-        if (parameters.kind != "automatic")
-          return parameters.kind == "direct";
-        return !system.is_symmetric() ||
-               system.state.space.n_dofs() < parameters.direct_below;
+        return parameters.direct(system.state.space.n_dofs()) ||
+               (parameters.kind == "automatic" && !system.is_symmetric());
       }
     } // namespace
 

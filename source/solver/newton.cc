@@ -195,6 +195,17 @@ namespace Heddle
 
 
 
+    double
+    Newton::residual_ratio(System::State       &state,
+                           const Contributions &contributions)
+    {
+      prepare(state, contributions);
+      assemble(state, contributions);
+      return judge(state, contributions).ratio;
+    }
+
+
+
     void
     Newton::prepare(System::State &state, const Contributions &contributions)
     {

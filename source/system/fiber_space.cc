@@ -160,8 +160,8 @@ namespace Heddle
       const double slope_1    = -length * t * t * (1. - t);
 
       if (blocks_per_node == 2)
-        return {{2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3},
-                {position_0, slope_0, position_1, slope_1}};
+        return {{{2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3}},
+                {{position_0, slope_0, position_1, slope_1}}};
 
       const unsigned int first =
         (fibers[f].n_nodes < 4)

@@ -143,7 +143,11 @@ namespace Heddle
                            "elements; enlarge the element length.");
 
         const Knots knots =
-          equally_spaced(curve, 0., curve.end(), n_elements + 1, n_samples);
+          equally_spaced(curve,
+                         0.,
+                         curve.end(),
+                         reading.knots_per_element * n_elements + 1,
+                         n_samples);
         FiberPath path;
         path.points           = knots.points;
         path.reference_length = knots.length;

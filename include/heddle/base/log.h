@@ -32,9 +32,13 @@ namespace Heddle
     Log &
     operator=(const Log &) = delete;
 
-    /** From now on, write to the file @p name as well. */
+    /**
+     * From now on, write to the file @p name as well; with std::ios::app,
+     * after what it holds already.
+     */
     void
-    open(const std::string &name);
+    open(const std::string            &name,
+         const std::ios_base::openmode mode = std::ios_base::out);
 
     /** Append @p value. Manipulators such as std::setw keep their meaning. */
     template <typename T>

@@ -49,10 +49,11 @@ namespace Heddle
     /** Distance and particles at one end of a cell. */
     struct CellEnd
     {
-      double p;
-      double q;
-      double squared_distance;
-      double slope;
+      double    p;
+      double    q;
+      double    squared_distance;
+      double    slope;
+      FacingEnd end;
     };
 
     /** Evaluate the particles at @p p with the guess @p q. */
@@ -67,8 +68,11 @@ namespace Heddle
      *
      * Where the surfaces overlap, within the cell, is found from the cubic that
      * interpolates the squared distance and its slope at the cell's ends: exact
-     * for straight fibers at any angle. Each stretch of overlap gets two
-     * elements, at its Gauss points. A cell of two parallel fibers is one
+     * for straight fibers at any angle. Where the end of a fiber comes to face
+     * the other one, the distance is no such cubic: the cell is cut there. Each
+     * stretch of overlap gets four elements, at its Gauss points: a crossing
+     * that slides from one cell into the next then feels less than 1 % of that,
+     * with two it would be 18 %. A cell of two parallel fibers is one
      * stretch; a crossing is a short one inside a cell; and everything between
      * is between, so that forces are continuous in the configuration and no
      * angle separates two treatments.

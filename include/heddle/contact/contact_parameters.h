@@ -18,6 +18,7 @@ namespace Heddle
     public:
       ContactParameters(const std::string &section = "/Contact");
 
+      bool   enabled         = true;
       double threshold       = 0.02;
       double search_distance = 1.;
       double refinement      = 1.;

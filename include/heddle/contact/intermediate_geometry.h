@@ -11,6 +11,16 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** Which fiber's end, if any, is one of two facing particles. */
+    enum class FacingEnd
+    {
+      none,
+      first_of_a,
+      last_of_a,
+      first_of_b,
+      last_of_b
+    };
+
     /** Two particles that face each other. */
     struct FacingParticles
     {
@@ -19,6 +29,7 @@ namespace Heddle
       Tensor<1, 3> connection;       /**< from b to a [mm] */
       double       squared_distance; /**< of the axes [mm^2] */
       double       slope; /**< of the squared distance along p [mm] */
+      FacingEnd    end;
     };
 
     /**

@@ -46,6 +46,13 @@ namespace Heddle
       void
       restrict_to(const Filter &filter);
 
+      /**
+       * Every step begins with a search, so that what it finds depends on the
+       * configuration and the penalties alone.
+       */
+      void
+      begin_step(System::State &state) override;
+
       void
       update(System::State &state) override;
 
@@ -96,6 +103,13 @@ namespace Heddle
       report(const System::State           &state,
              std::map<std::string, double> &values) const override;
 
+      /** The cells of all zones, with their penalties. */
+      void
+      save(ArchiveWriter &archive) const override;
+
+      void
+      load(const ArchiveReader &archive) override;
+
       const std::vector<Contact::ContactElement> &
       elements() const
       {
@@ -105,13 +119,6 @@ namespace Heddle
       /** Set the threshold that adapt() and objection() go by [-]. */
       void
       set_threshold(const double value);
-
-      /** Forget the search: the next update begins anew. */
-      void
-      invalidate()
-      {
-        searched = false;
-      }
 
     private:
       /** Over all ranks, of the elements as last placed. */

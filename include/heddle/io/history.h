@@ -28,10 +28,8 @@ namespace Heddle
       using Column = std::pair<std::string, std::string>;
 
       /**
-       * step, stage (counted from 0), load_factor, newton_iterations, residual,
-       * contact_elements, active_contact_elements, max_penetration_ratio,
-       * min_penalty, max_penalty, energy_elastic, energy_contact, then
-       * @p more_columns.
+       * step, stage (counted from 0), load_factor, newton_iterations,
+       * residual_ratio, then @p more_columns.
        */
       History(const std::string         &directory,
               const MPI_Comm             communicator,

@@ -34,6 +34,7 @@ namespace Heddle
       unsigned int subdivisions        = 2;
       unsigned int checkpoint_interval = 1;
       unsigned int n_checkpoints       = 2;
+      unsigned int yarn_stations       = 21;
     };
   } // namespace IO
 } // namespace Heddle

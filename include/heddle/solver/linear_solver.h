@@ -22,6 +22,14 @@ namespace Heddle
     public:
       LinearSolverParameters(const std::string &section = "/Linear solver");
 
+      /** Whether a symmetric system of so many unknowns is factorized. */
+      bool
+      direct(const unsigned int n_dofs) const
+      {
+        return kind == "direct" ||
+               (kind == "automatic" && n_dofs < direct_below);
+      }
+
       std::string  kind           = "automatic";
       double       tolerance      = 0.03;
       unsigned int max_iterations = 400;

@@ -70,6 +70,13 @@ namespace Heddle
       NewtonResult
       solve(System::State &state, const Contributions &contributions);
 
+      /**
+       * The residual ratio of the current configuration, assembled anew.
+       * @note Collective.
+       */
+      double
+      residual_ratio(System::State &state, const Contributions &contributions);
+
       /** The residual as last assembled, for reactions. */
       const System::BlockSystem *
       system() const

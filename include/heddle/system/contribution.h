@@ -1,6 +1,7 @@
 #ifndef heddle_system_contribution_h
 #define heddle_system_contribution_h
 
+#include <heddle/base/archive.h>
 #include <heddle/system/block_system.h>
 #include <heddle/system/state.h>
 
@@ -170,6 +171,20 @@ namespace Heddle
 
       virtual void
       reject_step(State &)
+      {
+      }
+
+      /**
+       * Write to a checkpoint, under "name()/...", what a resumed run must
+       * know and cannot compute from the state, and take it back from there.
+       */
+      virtual void
+      save(ArchiveWriter &) const
+      {
+      }
+
+      virtual void
+      load(const ArchiveReader &)
       {
       }
     };

@@ -21,6 +21,9 @@ namespace Heddle
        */
       double element_length = 0.;
 
+      /** Intervals between knots in one element. */
+      unsigned int knots_per_element = 1;
+
       /** Radius of all fibers [mm]; 0: from the column `radius`. */
       double radius = 0.;
 

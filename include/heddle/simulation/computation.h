@@ -1,0 +1,77 @@
+#ifndef heddle_simulation_computation_h
+#define heddle_simulation_computation_h
+
+#include <heddle/base/log.h>
+#include <heddle/base/signals.h>
+#include <heddle/simulation/recorder.h>
+
+#include <memory>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    /** Takes a scene through its stages, step by step. */
+    class Computation
+    {
+    public:
+      /** The folder of @p recorder exists. */
+      Computation(Scene            &scene,
+                  const Parameters &parameters,
+                  Recorder         &recorder,
+                  Log              &log,
+                  SectionTimer     &timer,
+                  StopRequest      &stop);
+
+      /**
+       * From the start, or from the last checkpoint. Throws NotConverged or
+       * Stopped after the last good state was saved.
+       * @note Collective.
+       */
+      void
+      run(const bool from_checkpoint);
+
+    private:
+      void
+      run_stages();
+
+      void
+      run_stage();
+
+      /** Set out for the next load factor; return whether it was reached. */
+      Solver::NewtonResult
+      try_step(const Stage &stage);
+
+      /** Equilibrium that holds when all contact is searched anew. */
+      Solver::NewtonResult
+      equilibrate(const Solver::Contributions &contributions);
+
+      void
+      accept(const Stage &stage, const Solver::NewtonResult &result);
+
+      void
+      reject(const Stage &stage);
+
+      void
+      show_status(const Stage &stage, const double load_factor);
+
+      /** "stage settle, step 3 to load factor 0.5" */
+      std::string
+      place_in_words() const;
+
+      Scene                                             &scene;
+      const Parameters                                  &parameters;
+      Recorder                                          &recorder;
+      Log                                               &log;
+      SectionTimer                                      &timer;
+      Solver::Newton                                     newton;
+      std::vector<std::unique_ptr<Solver::LoadStepping>> stepping;
+      Recorder::Place                                    place;
+      double                                             stage_began    = 0.;
+      double                                             stage_began_at = 0.;
+    };
+  } // namespace Simulation
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,61 @@
+#ifndef heddle_simulation_fabric_report_h
+#define heddle_simulation_fabric_report_h
+
+#include <heddle/post/crossing_order.h>
+#include <heddle/simulation/scene.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    /** What the current configuration of a weave looks like. */
+    class FabricReport
+    {
+    public:
+      /**
+       * Collect the fibers on rank 0: only there the members below have
+       * something to say.
+       * @note Collective.
+       */
+      FabricReport(const Textile::Weave &weave, const System::State &state);
+
+      /** Pairs of fibers on the right and on the wrong side of each other. */
+      Post::CrossingCount
+      crossings() const;
+
+      /**
+       * The sections of all yarns at @p n_stations equal fractions of their
+       * lengths, one line each, as CSV.
+       */
+      std::string
+      yarns_csv(const unsigned int n_stations) const;
+
+      /** Means over warp and weft yarns by name with unit. */
+      std::map<std::string, double>
+      results(const unsigned int n_stations) const;
+
+    private:
+      struct Yarn
+      {
+        std::string                 set;
+        std::vector<unsigned int>   fibers;
+        std::vector<Post::Polyline> lines;
+        std::vector<double>         radii;
+      };
+
+      /** Extent of the fabric through its thickness [mm]. */
+      double
+      thickness() const;
+
+      const Textile::Weave       &weave;
+      std::vector<Post::Polyline> lines;
+      std::vector<Yarn>           yarns;
+    };
+  } // namespace Simulation
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,50 @@
+#ifndef heddle_simulation_parameters_h
+#define heddle_simulation_parameters_h
+
+#include <heddle/base/parameter_file.h>
+#include <heddle/contact/contact_parameters.h>
+#include <heddle/io/output_parameters.h>
+#include <heddle/simulation/centerline_parameters.h>
+#include <heddle/simulation/fiber_parameters.h>
+#include <heddle/simulation/run_parameters.h>
+#include <heddle/simulation/settle_parameters.h>
+#include <heddle/solver/load_stepping.h>
+#include <heddle/solver/newton.h>
+#include <heddle/textile/weave_parameters.h>
+
+#include <string>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    /** All sections of a parameter file, in the order of the story. */
+    class Parameters
+    {
+    public:
+      /** Declare the sections and give them the values of @p file. */
+      explicit Parameters(const ParameterFile &file);
+
+      /** Throw InputError if @p file describes no scene, or another one. */
+      void
+      check(const ParameterFile &file) const;
+
+      /** All parameters with their meaning, as a parameter file. */
+      static std::string
+      text();
+
+      RunParameters                  run;
+      Textile::WeaveParameters       weave;
+      CenterlineParameters           centerlines;
+      FiberParameters                fiber;
+      Contact::ContactParameters     contact;
+      SettleParameters               settle;
+      Solver::LoadSteppingParameters load_stepping;
+      Solver::NewtonParameters       newton;
+      Solver::LinearSolverParameters linear_solver;
+      IO::OutputParameters           output;
+    };
+  } // namespace Simulation
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,127 @@
+#ifndef heddle_simulation_recorder_h
+#define heddle_simulation_recorder_h
+
+#include <heddle/base/parameter_file.h>
+#include <heddle/base/timer.h>
+#include <heddle/io/checkpoint.h>
+#include <heddle/io/contact_output.h>
+#include <heddle/io/fiber_output.h>
+#include <heddle/io/history.h>
+#include <heddle/io/summary.h>
+#include <heddle/simulation/scene.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    /**
+     * Keeps and writes what a run leaves behind: summary, history, pictures of
+     * fibers and contacts, yarn sections, checkpoints. What is not asked for
+     * is not computed.
+     */
+    class Recorder
+    {
+    public:
+      /** Where the run stands. */
+      struct Place
+      {
+        unsigned int                stage    = 0; /**< number of the stage */
+        unsigned int                number   = 0; /**< step, over all stages */
+        const Solver::LoadStepping *stepping = nullptr;
+      };
+
+      /** The folder must exist. @note Collective. */
+      Recorder(Scene               &scene,
+               const Parameters    &parameters,
+               const ParameterFile &file,
+               const std::string   &directory,
+               SectionTimer        &timer);
+
+      /**
+       * Return the stage and the number of the step that the last checkpoint
+       * was written after; the state of the scene is set, and @p stepping of
+       * that stage.
+       * @note Collective.
+       */
+      Place
+      resume(
+        const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping);
+
+      /** Write what there is before the first step, or after resume(). */
+      void
+      begin(const Place &place);
+
+      void
+      begin_stage(const unsigned int stage);
+
+      /** Add to the work of the stage, whether it led to anything or not. */
+      void
+      count(const unsigned int stage, const Solver::NewtonResult &result);
+
+      /** A step was accepted. @note Collective. */
+      void
+      add_step(const Place &place, const Solver::NewtonResult &result);
+
+      /** Save the state as it was last accepted. @note Collective. */
+      void
+      write_checkpoint(const Place &place);
+
+      /** Write how it ended. */
+      void
+      finish(const IO::Summary::Status status, const std::string &reason);
+
+    private:
+      void
+      measure(const Place &place, const Solver::NewtonResult &result);
+
+      void
+      add_to_history(const Place                         &place,
+                     const Solver::NewtonResult          &result,
+                     const std::map<std::string, double> &report);
+
+      void
+      write_pictures(const Place &place, const std::string &group);
+
+      void
+      measure_fabric(IO::StageSummary &stage, const bool last);
+
+      void
+      update_times();
+
+      void
+      write_summary();
+
+      void
+      save(ArchiveWriter &archive, const Place &place) const;
+
+      void
+      load_summary(const ArchiveReader &archive);
+
+      /** What all contributions report, by name with unit. */
+      std::map<std::string, double>
+      report() const;
+
+      Scene                             &scene;
+      const Parameters                  &parameters;
+      const ParameterFile               &file;
+      const std::string                  directory;
+      SectionTimer                      &timer;
+      const bool                         first_rank;
+      IO::Summary                        summary;
+      IO::History                        history;
+      IO::Checkpoint                     checkpoint;
+      std::unique_ptr<IO::FiberOutput>   fibers;
+      std::unique_ptr<IO::ContactOutput> contacts;
+
+      /** Wall times of the stage before this run, and of the run before it. */
+      IO::WallTime earlier;
+      IO::WallTime at_begin;
+    };
+  } // namespace Simulation
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,121 @@
+#ifndef heddle_simulation_scene_h
+#define heddle_simulation_scene_h
+
+#include <heddle/contributions/fiber_contact.h>
+#include <heddle/contributions/fiber_elasticity.h>
+#include <heddle/simulation/parameters.h>
+#include <heddle/simulation/stage.h>
+#include <heddle/system/state.h>
+#include <heddle/textile/weave.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    using namespace dealii;
+
+    /**
+     * The objects of a computation in the order in which they depend on each
+     * other: fibers, configuration, contributions, stages. What a scene does
+     * not need is not there.
+     */
+    class Scene
+    {
+    public:
+      /**
+       * @p parameter_file is where the names of other files count from.
+       * Throws InputError if no scene can be made of the parameters.
+       * @note Collective.
+       */
+      Scene(const Parameters  &parameters,
+            const std::string &parameter_file,
+            const MPI_Comm     communicator);
+
+      const System::FiberSpace &
+      space() const
+      {
+        return *fiber_space;
+      }
+
+      /** The woven sample, or nullptr. */
+      const Textile::Weave *
+      weave() const
+      {
+        return fabric.get();
+      }
+
+      const Contributions::FiberElasticity &
+      elasticity() const
+      {
+        return *fiber_elasticity;
+      }
+
+      /** Contact of the fibers, or nullptr if there is none. */
+      const Contributions::FiberContact *
+      contact() const
+      {
+        return fiber_contact.get();
+      }
+
+      const std::vector<Stage> &
+      stages() const
+      {
+        return all_stages;
+      }
+
+      /** Names of the contributions of all stages, each once. */
+      std::vector<std::string>
+      contribution_names() const;
+
+      /** What the solver will need, roughly, over all ranks [bytes]. */
+      double
+      estimated_memory() const;
+
+      /** The owned blocks at the start, displacements count from here. */
+      const std::vector<Tensor<1, 3>> &
+      initial() const
+      {
+        return initial_blocks;
+      }
+
+      /** The current configuration; at first the initial one. */
+      System::State &
+      state()
+      {
+        return *configuration;
+      }
+
+    private:
+      void
+      make_paths(const std::string &parameter_file);
+
+      void
+      make_contributions();
+
+      bool
+      fibers_can_touch() const;
+
+      void
+      add_settle_stage();
+
+      void
+      add_load_stage();
+
+      const Parameters                               &parameters;
+      std::unique_ptr<Textile::Weave>                 fabric;
+      std::vector<Textile::FiberPath>                 paths;
+      std::unique_ptr<System::FiberSpace>             fiber_space;
+      std::vector<Tensor<1, 3>>                       initial_blocks;
+      std::unique_ptr<System::State>                  configuration;
+      std::shared_ptr<Contributions::FiberElasticity> fiber_elasticity;
+      std::shared_ptr<Contributions::FiberContact>    fiber_contact;
+      std::vector<Stage>                              all_stages;
+    };
+  } // namespace Simulation
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,30 @@
+#ifndef heddle_simulation_stage_h
+#define heddle_simulation_stage_h
+
+#include <heddle/solver/load_stepping.h>
+#include <heddle/solver/newton.h>
+
+#include <functional>
+#include <string>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    /**
+     * A part of a computation with its own equilibrium: which contributions
+     * are in force, and how the load factor goes from 0 to 1.
+     */
+    struct Stage
+    {
+      std::string           name;
+      Solver::Contributions contributions;
+      Solver::LoadPlan      plan;
+
+      /** Makes the contributions ready for a step to this load factor. */
+      std::function<void(const double)> set_up = [](const double) {};
+    };
+  } // namespace Simulation
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,103 @@
+#ifndef heddle_solver_load_stepping_h
+#define heddle_solver_load_stepping_h
+
+#include <heddle/base/archive.h>
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    using namespace dealii;
+
+    /** How a load factor goes from 0 to 1. */
+    struct LoadPlan
+    {
+      double initial_step  = 1.; /**< [-] */
+      double largest_step  = 1.; /**< [-] */
+      double smallest_step = 1.; /**< [-] */
+
+      /** A step of at most this many iterations lets the next one grow. */
+      unsigned int easy_iterations = 8;
+
+      /** Load factors that are hit exactly, beside 1, ascending [-]. */
+      std::vector<double> points;
+    };
+
+
+
+    class LoadSteppingParameters : public ParameterAcceptor
+    {
+    public:
+      LoadSteppingParameters(const std::string &section = "/Load stepping");
+
+      /** The plan, checked: throws InputError if steps or points disagree. */
+      LoadPlan
+      plan() const;
+
+    private:
+      LoadPlan entries;
+    };
+
+
+
+    /**
+     * Adaptive steps of the load factor: halved when no equilibrium is found,
+     * half as long again after a step that was easy, and divided evenly before
+     * a requested point, so that none is left with a sliver.
+     */
+    class LoadStepping
+    {
+    public:
+      LoadStepping(const LoadPlan &plan);
+
+      /** The load factor of the last good step; 0 at first [-]. */
+      double
+      reached() const
+      {
+        return last;
+      }
+
+      bool
+      finished() const
+      {
+        return last >= 1.;
+      }
+
+      /** The load factor of the next step. @pre Not finished. */
+      double
+      next() const;
+
+      /** The step to next() was good and took so many Newton iterations. */
+      void
+      accept(const unsigned int newton_iterations);
+
+      /** It failed. Return whether a shorter step is allowed. */
+      bool
+      cut_back();
+
+      /** @note Collective. */
+      void
+      save(ArchiveWriter &archive) const;
+      void
+      load(const ArchiveReader &archive);
+
+    private:
+      /** Where the steps before the next requested point end, and how many. */
+      double
+      next_point() const;
+      unsigned int
+      n_steps_to(const double point) const;
+
+      const LoadPlan plan;
+      double         last = 0.;
+      double         step;
+    };
+  } // namespace Solver
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,100 @@
+#include <heddle/contributions/fiber_contact.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    std::string
+    FiberContact::objection(const System::State &) const
+    {
+      if (statistics.deepest <= threshold)
+        return "";
+      std::ostringstream text;
+      text << std::setprecision(3) << "penetration " << statistics.deepest
+           << " of the radius, above " << threshold;
+      return text.str();
+    }
+
+
+
+    std::string
+    FiberContact::status() const
+    {
+      std::ostringstream text;
+      text << "contacts " << static_cast<unsigned long>(statistics.n_elements)
+           << " active " << static_cast<unsigned long>(statistics.n_active)
+           << std::scientific << std::setprecision(1) << " penetration "
+           << statistics.deepest << " penalty " << statistics.least_penalty
+           << " to " << statistics.largest_penalty;
+      return text.str();
+    }
+
+
+
+    void
+    FiberContact::report(const System::State &,
+                         std::map<std::string, double> &values) const
+    {
+      values["contact_elements[-]"]        = statistics.n_elements;
+      values["active_contact_elements[-]"] = statistics.n_active;
+      values["mean_contact_force[N]"]      = statistics.mean_force;
+      values["max_penetration_ratio[-]"]   = statistics.deepest;
+      values["min_penalty[N/mm^2]"]        = statistics.least_penalty;
+      values["max_penalty[N/mm^2]"]        = statistics.largest_penalty;
+      values["contact_energy[N*mm]"]       = statistics.energy;
+    }
+
+
+
+    void
+    FiberContact::save(ArchiveWriter &archive) const
+    {
+      Records records;
+      records.n_key_parts = 5;
+      records.n_values    = 2;
+      for (const Contact::ContactCell &cell : cells)
+        if (space.owns(cell.fiber_a))
+          {
+            records.keys.insert(records.keys.end(),
+                                {cell.fiber_a,
+                                 cell.fiber_b,
+                                 cell.orientation,
+                                 cell.level,
+                                 cell.number});
+            records.values.insert(records.values.end(),
+                                  {cell.q_begin, cell.penalty});
+          }
+      archive.write(name() + "/cells", records);
+    }
+
+
+
+    void
+    FiberContact::load(const ArchiveReader &archive)
+    {
+      const Records records = archive.read_records(
+        name() + "/cells", [this](const std::int64_t *key) {
+          return space.owns(key[0]) || space.owns(key[1]);
+        });
+      cells.clear();
+      for (std::size_t i = 0; i < records.size(); ++i)
+        {
+          Contact::ContactCell cell = {};
+          cell.fiber_a              = records.key(i)[0];
+          cell.fiber_b              = records.key(i)[1];
+          cell.orientation          = records.key(i)[2];
+          cell.level                = records.key(i)[3];
+          cell.number               = records.key(i)[4];
+          cell.q_begin              = records.value(i)[0];
+          cell.penalty              = records.value(i)[1];
+          cells.push_back(cell);
+        }
+      std::sort(cells.begin(), cells.end());
+      searched = false;
+    }
+  } // namespace Contributions
+} // namespace Heddle

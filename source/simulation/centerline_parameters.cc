@@ -1,0 +1,59 @@
+#include <heddle/simulation/centerline_parameters.h>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    CenterlineParameters::CenterlineParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      entries.element_length = 1.;
+      add_parameter("File",
+                    file,
+                    "Comma-separated values with the columns "
+                    "fiber,x,y,z[,radius][,set], one line per point; as seen "
+                    "from the folder of the parameter file [-].");
+      add_parameter("Element length",
+                    entries.element_length,
+                    "Every fiber gets the number of equal elements whose "
+                    "length is nearest to this [mm].",
+                    prm,
+                    Patterns::Double(1e-12));
+      add_parameter("Radius",
+                    entries.radius,
+                    "Radius of all fibers; 0: from the column 'radius' [mm].",
+                    prm,
+                    Patterns::Double(0.));
+      add_parameter("Scale",
+                    entries.scale,
+                    "Size of the file's unit of length, the edge of a voxel "
+                    "for instance [mm].",
+                    prm,
+                    Patterns::Double(1e-12));
+      add_parameter("Interpolation",
+                    interpolation,
+                    "The curve through the points: 'spline' (C2) or "
+                    "'catmull-rom' (C1, and more local) [-].",
+                    prm,
+                    Patterns::Selection("spline|catmull-rom"));
+      add_parameter("Straight when free",
+                    straight_when_free,
+                    "Whether the fibers would be straight if they were free, "
+                    "and start bent; otherwise the curves of the file are free "
+                    "of stress [-].");
+    }
+
+
+
+    Textile::PathReading
+    CenterlineParameters::reading(const unsigned int nodes_per_element) const
+    {
+      Textile::PathReading result = entries;
+      result.knots_per_element    = nodes_per_element - 1;
+      result.interpolation        = interpolation == "spline"
+                                      ? Textile::Interpolation::spline
+                                      : Textile::Interpolation::catmull_rom;
+      return result;
+    }
+  } // namespace Simulation
+} // namespace Heddle

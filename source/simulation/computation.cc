@@ -1,0 +1,234 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/simulation/computation.h>
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** Fresh searches after which a step is given up. */
+      constexpr unsigned int n_searches = 4;
+    } // namespace
+
+
+
+    Computation::Computation(Scene            &scene,
+                             const Parameters &parameters,
+                             Recorder         &recorder,
+                             Log              &log,
+                             SectionTimer     &timer,
+                             StopRequest      &stop)
+      : scene(scene)
+      , parameters(parameters)
+      , recorder(recorder)
+      , log(log)
+      , timer(timer)
+      , newton(parameters.newton,
+               parameters.linear_solver,
+               scene.space().communicator(),
+               log,
+               timer,
+               stop)
+    {
+      for (const Stage &stage : scene.stages())
+        stepping.push_back(std::make_unique<Solver::LoadStepping>(stage.plan));
+    }
+
+
+
+    void
+    Computation::run(const bool from_checkpoint)
+    {
+      using Status = IO::Summary::Status;
+      if (from_checkpoint)
+        place = recorder.resume(stepping);
+      recorder.begin(place);
+      try
+        {
+          run_stages();
+          recorder.finish(Status::converged, "");
+        }
+      catch (const NotConverged &error)
+        {
+          recorder.finish(Status::not_converged, error.what());
+          throw;
+        }
+      catch (const Stopped &error)
+        {
+          reject(scene.stages()[place.stage]);
+          recorder.write_checkpoint(place);
+          recorder.finish(Status::stopped, error.what());
+          throw;
+        }
+      catch (const std::exception &error)
+        {
+          recorder.finish(Status::failed, error.what());
+          throw;
+        }
+    }
+
+
+
+    void
+    Computation::run_stages()
+    {
+      for (; place.stage < scene.stages().size(); ++place.stage)
+        {
+          place.stepping = stepping[place.stage].get();
+          recorder.begin_stage(place.stage);
+          if (place.stepping->reached() == 0.)
+            scene.state().step = 0;
+          stage_began    = timer.total();
+          stage_began_at = place.stepping->reached();
+          run_stage();
+        }
+      --place.stage;
+    }
+
+
+
+    void
+    Computation::run_stage()
+    {
+      const Stage          &stage = scene.stages()[place.stage];
+      Solver::LoadStepping &steps = *stepping[place.stage];
+      while (!steps.finished())
+        {
+          const Solver::NewtonResult result = try_step(stage);
+          recorder.count(place.stage, result);
+          if (result.converged)
+            {
+              steps.accept(result.iterations);
+              accept(stage, result);
+            }
+          else
+            {
+              const std::string where = place_in_words();
+              reject(stage);
+              if (!steps.cut_back())
+                throw NotConverged("No equilibrium in " + where + " after " +
+                                   std::to_string(result.iterations) +
+                                   " iterations: " + result.obstacle + ".");
+              log << "  not converged: " << result.obstacle
+                  << "; the step is halved" << std::endl;
+            }
+        }
+    }
+
+
+
+    Solver::NewtonResult
+    Computation::try_step(const Stage &stage)
+    {
+      System::State &state = scene.state();
+      state.load_factor    = stepping[place.stage]->next();
+      ++state.step;
+      log << "Stage " << stage.name << ", step " << state.step
+          << ": load factor " << std::defaultfloat << std::setprecision(4)
+          << state.load_factor << std::endl;
+      show_status(stage, state.load_factor);
+      stage.set_up(state.load_factor);
+      return equilibrate(stage.contributions);
+    }
+
+
+
+    Solver::NewtonResult
+    Computation::equilibrate(const Solver::Contributions &contributions)
+    {
+      System::State       &state = scene.state();
+      Solver::NewtonResult total;
+      for (unsigned int i = 0; i < n_searches && !total.converged; ++i)
+        {
+          for (const auto &contribution : contributions)
+            contribution->begin_step(state);
+          const Solver::NewtonResult result =
+            newton.solve(state, contributions);
+          total.iterations += result.iterations;
+          total.factorizations += result.factorizations;
+          total.linear_iterations += result.linear_iterations;
+          total.residual_ratio = result.residual_ratio;
+          total.obstacle       = result.obstacle;
+          if (!result.converged)
+            return total;
+
+          for (const auto &contribution : contributions)
+            contribution->begin_step(state);
+          total.residual_ratio = newton.residual_ratio(state, contributions);
+          if (total.residual_ratio > parameters.newton.residual_tolerance)
+            total.obstacle = "a new search finds other contacts";
+          for (const auto &contribution : contributions)
+            if (total.obstacle.empty())
+              total.obstacle = contribution->objection(state);
+          total.converged = total.obstacle.empty();
+        }
+      return total;
+    }
+
+
+
+    void
+    Computation::accept(const Stage &stage, const Solver::NewtonResult &result)
+    {
+      scene.state().accept();
+      for (const auto &contribution : stage.contributions)
+        contribution->accept_step(scene.state());
+      ++place.number;
+      log << "  converged after " << result.iterations
+          << " iterations, residual " << std::scientific << std::setprecision(1)
+          << result.residual_ratio << " after a new search" << std::endl;
+      recorder.add_step(place, result);
+    }
+
+
+
+    void
+    Computation::reject(const Stage &stage)
+    {
+      System::State &state = scene.state();
+      state.reject();
+      state.load_factor = stepping[place.stage]->reached();
+      if (state.step > 0)
+        --state.step;
+      for (const auto &contribution : stage.contributions)
+        contribution->reject_step(state);
+    }
+
+
+
+    void
+    Computation::show_status(const Stage &stage, const double load_factor)
+    {
+      if (!parameters.run.timing)
+        return;
+      std::ostringstream text;
+      text << "stage " << stage.name << " at load factor "
+           << stepping[place.stage]->reached() << ", on the way to "
+           << load_factor << ", " << std::lround(timer.total()) << " s";
+      const double done = stepping[place.stage]->reached() - stage_began_at;
+      if (done > 0.)
+        text << ", about "
+             << std::lround((timer.total() - stage_began) *
+                            (1. - stage_began_at - done) / done)
+             << " s to go in this stage";
+      log.status(text.str());
+    }
+
+
+
+    std::string
+    Computation::place_in_words() const
+    {
+      std::ostringstream text;
+      text << "stage " << scene.stages()[place.stage].name << ", step "
+           << scene.state().step << " to load factor "
+           << scene.state().load_factor;
+      return text.str();
+    }
+  } // namespace Simulation
+} // namespace Heddle

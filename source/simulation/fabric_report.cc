@@ -1,0 +1,147 @@
+#include <heddle/post/centerline.h>
+#include <heddle/post/yarn_section.h>
+#include <heddle/simulation/fabric_report.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** Straight pieces between two nodes, and points of a mean line. */
+      constexpr unsigned int n_pieces = 4, n_mean_points = 201;
+
+
+
+      /** Section number @p i of @p n, and none of them at an end. */
+      double
+      station(const unsigned int i, const unsigned int n)
+      {
+        return (i + 0.5) / n;
+      }
+    } // namespace
+
+
+
+    FabricReport::FabricReport(const Textile::Weave &weave,
+                               const System::State  &state)
+      : weave(weave)
+      , lines(Post::gather_centerlines(state, n_pieces))
+    {
+      for (unsigned int f = 0; f < lines.size(); ++f)
+        {
+          const System::Fiber &fiber = state.space.fiber(f);
+          if (fiber.yarn_id >= yarns.size())
+            yarns.resize(fiber.yarn_id + 1);
+          Yarn &yarn = yarns[fiber.yarn_id];
+          yarn.set   = fiber.set;
+          yarn.fibers.push_back(f);
+          yarn.lines.push_back(lines[f]);
+          yarn.radii.push_back(fiber.radius);
+        }
+    }
+
+
+
+    Post::CrossingCount
+    FabricReport::crossings() const
+    {
+      if (yarns.empty())
+        return {};
+      std::vector<Post::OrderedFibers> pairs;
+      for (const Textile::Crossing &crossing : weave.crossings())
+        {
+          const auto &warp = yarns[crossing.warp_yarn].fibers;
+          const auto &weft = yarns[crossing.weft_yarn].fibers;
+          if (crossing.warp_on_top)
+            pairs.push_back({warp, weft});
+          else
+            pairs.push_back({weft, warp});
+        }
+      return Post::count_crossing_order(lines, pairs);
+    }
+
+
+
+    std::string
+    FabricReport::yarns_csv(const unsigned int n_stations) const
+    {
+      std::ostringstream out;
+      out.precision(6);
+      out << "yarn[-],is_warp[-],station[-],x[mm],y[mm],z[mm],width[mm],"
+             "height[mm],aspect_ratio[-],hull_area[mm^2],fiber_area[mm^2],"
+             "volume_fraction[-],fibers_missing[-],crimp[-]\n";
+      for (unsigned int y = 0; y < yarns.size(); ++y)
+        {
+          const auto mean = Post::mean_line(yarns[y].lines, n_mean_points);
+          for (unsigned int i = 0; i < n_stations; ++i)
+            {
+              const double fraction = station(i, n_stations);
+              const auto   section  = Post::cut_yarn(
+                yarns[y].lines, yarns[y].radii, Post::plane_at(mean, fraction));
+              out << y << ',' << (yarns[y].set == "warp") << ',' << fraction;
+              for (unsigned int d = 0; d < 3; ++d)
+                out << ',' << section.center[d];
+              out << ',' << section.width << ',' << section.height << ','
+                  << section.aspect_ratio() << ',' << section.hull_area << ','
+                  << section.fiber_area << ',' << section.volume_fraction()
+                  << ',' << section.n_missing << ',' << Post::crimp(mean)
+                  << '\n';
+            }
+        }
+      return out.str();
+    }
+
+
+
+    std::map<std::string, double>
+    FabricReport::results(const unsigned int n_stations) const
+    {
+      std::map<std::string, double> sums;
+      for (const Yarn &yarn : yarns)
+        {
+          const double n_alike =
+            std::count_if(yarns.begin(), yarns.end(), [&](const Yarn &other) {
+              return other.set == yarn.set;
+            });
+          const auto mean = Post::mean_line(yarn.lines, n_mean_points);
+          sums[yarn.set + "_crimp[-]"] += Post::crimp(mean) / n_alike;
+          for (unsigned int i = 0; i < n_stations; ++i)
+            {
+              const auto section =
+                Post::cut_yarn(yarn.lines,
+                               yarn.radii,
+                               Post::plane_at(mean, station(i, n_stations)));
+              const double part = 1. / (n_alike * n_stations);
+              sums[yarn.set + "_aspect_ratio[-]"] +=
+                part * section.aspect_ratio();
+              sums[yarn.set + "_volume_fraction[-]"] +=
+                part * section.volume_fraction();
+            }
+        }
+      if (!yarns.empty())
+        sums["thickness[mm]"] = thickness();
+      return sums;
+    }
+
+
+
+    double
+    FabricReport::thickness() const
+    {
+      double low = std::numeric_limits<double>::max(), high = -low;
+      for (const Yarn &yarn : yarns)
+        for (unsigned int f = 0; f < yarn.lines.size(); ++f)
+          for (const auto &point : yarn.lines[f])
+            {
+              low  = std::min(low, point[2] - yarn.radii[f]);
+              high = std::max(high, point[2] + yarn.radii[f]);
+            }
+      return high - low;
+    }
+  } // namespace Simulation
+} // namespace Heddle

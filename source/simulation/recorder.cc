@@ -1,0 +1,421 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
+#include <heddle/base/version.h>
+#include <heddle/simulation/fabric_report.h>
+#include <heddle/simulation/recorder.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <set>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** Name and unit of "name[unit]". */
+      IO::History::Column
+      split(const std::string &name_with_unit)
+      {
+        const auto bracket = name_with_unit.find('[');
+        return {name_with_unit.substr(0, bracket),
+                name_with_unit.substr(bracket + 1,
+                                      name_with_unit.size() - bracket - 2)};
+      }
+
+
+
+      std::map<std::string, double>
+      report_of(const Scene &scene, const System::State &state)
+      {
+        std::map<std::string, double> values;
+        for (const Stage &stage : scene.stages())
+          for (const auto &contribution : stage.contributions)
+            contribution->report(state, values);
+        return values;
+      }
+
+
+
+      std::vector<IO::History::Column>
+      columns_of(Scene &scene)
+      {
+        std::vector<IO::History::Column> columns;
+        for (const auto &value : report_of(scene, scene.state()))
+          columns.push_back(split(value.first));
+        return columns;
+      }
+
+
+
+      /** What version_text() says, by library. */
+      std::map<std::string, std::string>
+      versions()
+      {
+        std::map<std::string, std::string> result;
+        std::istringstream                 lines(version_text());
+        for (std::string line; std::getline(lines, line);)
+          {
+            const auto space              = line.find(' ');
+            result[line.substr(0, space)] = line.substr(space + 1);
+          }
+        return result;
+      }
+
+
+
+      /** The numbers of a stage that a resumed run goes on with, by name. */
+      template <typename Action>
+      void
+      for_each_number(IO::StageSummary &stage, const Action &action)
+      {
+        const auto convert = [&](const std::string &name, auto &value) {
+          double number = value;
+          action(name, number);
+          value = number;
+        };
+        convert("steps", stage.steps);
+        convert("newton_iterations", stage.newton_iterations);
+        convert("factorizations", stage.factorizations);
+        convert("linear_iterations", stage.linear_iterations);
+        convert("contact_elements", stage.contact_elements);
+        convert("active_contact_elements", stage.active_contact_elements);
+        convert("crossings_total", stage.crossings_total);
+        convert("crossings_wrong", stage.crossings_wrong);
+        convert("max_penetration_ratio", stage.max_penetration_ratio);
+        convert("residual_ratio", stage.residual_ratio);
+        convert("last_output", stage.last_output);
+        convert("time_total", stage.wall_time.total);
+        convert("time_detection", stage.wall_time.detection);
+        convert("time_assembly", stage.wall_time.assembly);
+        convert("time_linear_solver", stage.wall_time.linear_solver);
+        convert("time_output", stage.wall_time.output);
+      }
+
+
+
+      std::string
+      stage_entry(const unsigned int i, const std::string &name)
+      {
+        return "summary/stage-" + std::to_string(i) + "/" + name;
+      }
+    } // namespace
+
+
+
+    Recorder::Recorder(Scene               &scene,
+                       const Parameters    &parameters,
+                       const ParameterFile &file,
+                       const std::string   &directory,
+                       SectionTimer        &timer)
+      : scene(scene)
+      , parameters(parameters)
+      , file(file)
+      , directory(directory)
+      , timer(timer)
+      , first_rank(
+          Utilities::MPI::this_mpi_process(scene.space().communicator()) == 0)
+      , history(directory, scene.space().communicator(), columns_of(scene))
+      , checkpoint(scene.space(), directory, parameters.output.n_checkpoints)
+    {
+      summary.n_fibers      = scene.space().n_fibers();
+      summary.n_fiber_nodes = scene.space().n_nodes();
+      summary.n_dofs        = scene.space().n_dofs();
+      summary.ranks =
+        Utilities::MPI::n_mpi_processes(scene.space().communicator());
+      summary.contributions = scene.contribution_names();
+      summary.versions      = versions();
+    }
+
+
+
+    std::map<std::string, double>
+    Recorder::report() const
+    {
+      return report_of(scene, scene.state());
+    }
+
+
+
+    Recorder::Place
+    Recorder::resume(
+      const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping)
+    {
+      Place                     place;
+      const std::string         path   = IO::Checkpoint::last(directory);
+      const std::vector<Stage> &stages = scene.stages();
+      const auto                position =
+        checkpoint.read(path, scene.state(), [&](const ArchiveReader &archive) {
+          const std::string name = archive.read_text("position/stage");
+          while (place.stage < stages.size() &&
+                 stages[place.stage].name != name)
+            ++place.stage;
+          require(place.stage < stages.size(),
+                  "The checkpoint \"" + path + "\" belongs to a stage \"" +
+                    name + "\", which this scene does not have.");
+          place.stepping = stepping[place.stage].get();
+          stepping[place.stage]->load(archive);
+          for (const auto &contribution : stages[place.stage].contributions)
+            contribution->load(archive);
+          load_summary(archive);
+        });
+      history.resume(position.history);
+      place.number = position.number;
+      return place;
+    }
+
+
+
+    void
+    Recorder::begin(const Place &place)
+    {
+      if (first_rank)
+        {
+          write_file(directory + "/original.prm", file.text());
+          write_file(directory + "/parameters.prm", Parameters::text());
+        }
+      const unsigned int resume_at = place.number > 0 ? place.number + 1 : 0;
+      if (parameters.output.interval > 0 && parameters.output.fibers)
+        fibers = std::make_unique<IO::FiberOutput>(
+          scene.space(), parameters.output.subdivisions, directory, resume_at);
+      if (parameters.output.interval > 0 && parameters.output.contacts &&
+          scene.contact())
+        contacts = std::make_unique<IO::ContactOutput>(
+          scene.space(), directory, resume_at);
+      if (place.number == 0)
+        write_pictures(place, "start");
+      write_summary();
+    }
+
+
+
+    void
+    Recorder::begin_stage(const unsigned int stage)
+    {
+      if (stage == summary.stages.size())
+        {
+          summary.stages.emplace_back();
+          summary.stages.back().name = scene.stages()[stage].name;
+        }
+      earlier  = summary.stages.back().wall_time;
+      at_begin = {timer.total(),
+                  timer.seconds("detection"),
+                  timer.seconds("assembly"),
+                  timer.seconds("linear solver"),
+                  timer.seconds("output")};
+      write_summary();
+    }
+
+
+
+    void
+    Recorder::count(const unsigned int          stage,
+                    const Solver::NewtonResult &result)
+    {
+      IO::StageSummary &entry = summary.stages[stage];
+      entry.newton_iterations += result.iterations;
+      entry.factorizations += result.factorizations;
+      entry.linear_iterations += result.linear_iterations;
+    }
+
+
+
+    void
+    Recorder::add_step(const Place &place, const Solver::NewtonResult &result)
+    {
+      SectionTimer::Scope scope(timer, "output");
+      measure(place, result);
+      const bool         last = place.stepping->finished();
+      const unsigned int step = scene.state().step;
+      if (parameters.output.due(step, last))
+        {
+          write_pictures(place, scene.stages()[place.stage].name);
+          summary.stages[place.stage].last_output = place.number;
+        }
+      if (last)
+        summary.stages[place.stage].status = "converged";
+      if (parameters.output.checkpoint_due(step, last))
+        write_checkpoint(place);
+      write_summary();
+    }
+
+
+
+    void
+    Recorder::measure(const Place &place, const Solver::NewtonResult &result)
+    {
+      IO::StageSummary &stage = summary.stages[place.stage];
+      ++stage.steps;
+      stage.residual_ratio = result.residual_ratio;
+      auto values          = report();
+      if (scene.contact())
+        {
+          stage.contact_elements        = values["contact_elements[-]"];
+          stage.active_contact_elements = values["active_contact_elements[-]"];
+          stage.max_penetration_ratio   = values["max_penetration_ratio[-]"];
+        }
+      if (scene.weave())
+        measure_fabric(stage, place.stepping->finished());
+      add_to_history(place, result, values);
+    }
+
+
+
+    void
+    Recorder::measure_fabric(IO::StageSummary &stage, const bool last)
+    {
+      const FabricReport fabric(*scene.weave(), scene.state());
+      const auto         crossings = fabric.crossings();
+      stage.crossings_total        = crossings.total;
+      stage.crossings_wrong        = crossings.wrong;
+      const unsigned int n         = parameters.output.yarn_stations;
+      if (!last || n == 0 || !first_rank)
+        return;
+      summary.results = fabric.results(n);
+      write_file(directory + "/yarns.csv", fabric.yarns_csv(n));
+    }
+
+
+
+    void
+    Recorder::add_to_history(const Place                         &place,
+                             const Solver::NewtonResult          &result,
+                             const std::map<std::string, double> &values)
+    {
+      std::map<std::string, double> row;
+      for (const auto &value : values)
+        row[split(value.first).first] = value.second;
+      row["step"]              = place.number;
+      row["stage"]             = place.stage;
+      row["load_factor"]       = scene.state().load_factor;
+      row["newton_iterations"] = result.iterations;
+      row["residual_ratio"]    = result.residual_ratio;
+      history.add(row);
+    }
+
+
+
+    void
+    Recorder::write_pictures(const Place &place, const std::string &group)
+    {
+      // A stage adds one to the time that is shown, its load factor in it.
+      const double time = place.stage + scene.state().load_factor;
+      if (fibers)
+        fibers->write(
+          scene.state(),
+          scene.initial(),
+          [this](const unsigned int f, const unsigned int e) {
+            return scene.elasticity().reference_strains(f, e);
+          },
+          place.number,
+          time,
+          group);
+      if (contacts)
+        contacts->write(scene.contact()->elements(),
+                        scene.state(),
+                        place.number,
+                        time,
+                        group);
+    }
+
+
+
+    void
+    Recorder::save(ArchiveWriter &archive, const Place &place) const
+    {
+      place.stepping->save(archive);
+      for (const auto &contribution : scene.stages()[place.stage].contributions)
+        contribution->save(archive);
+      archive.write_number("summary/n_stages", summary.stages.size());
+      auto stages = summary.stages;
+      for (unsigned int i = 0; i < stages.size(); ++i)
+        {
+          archive.write_text(stage_entry(i, "name"), stages[i].name);
+          archive.write_text(stage_entry(i, "status"), stages[i].status);
+          for_each_number(stages[i],
+                          [&](const std::string &name, const double value) {
+                            archive.write_number(stage_entry(i, name), value);
+                          });
+        }
+    }
+
+
+
+    void
+    Recorder::load_summary(const ArchiveReader &archive)
+    {
+      summary.stages.resize(archive.read_number("summary/n_stages"));
+      for (unsigned int i = 0; i < summary.stages.size(); ++i)
+        {
+          IO::StageSummary &stage = summary.stages[i];
+          stage.name              = archive.read_text(stage_entry(i, "name"));
+          stage.status            = archive.read_text(stage_entry(i, "status"));
+          for_each_number(stage, [&](const std::string &name, double &value) {
+            value = archive.read_number(stage_entry(i, name));
+          });
+        }
+    }
+
+
+
+    void
+    Recorder::write_checkpoint(const Place &place)
+    {
+      update_times();
+      checkpoint.write({scene.stages()[place.stage].name,
+                        place.number,
+                        file.text(),
+                        history.csv()},
+                       scene.state(),
+                       [&](ArchiveWriter &archive) { save(archive, place); });
+    }
+
+
+
+    void
+    Recorder::update_times()
+    {
+      if (!parameters.run.timing || summary.stages.empty())
+        return;
+      IO::WallTime &now   = summary.stages.back().wall_time;
+      const auto    since = [this](const std::string &name) {
+        return timer.seconds(name);
+      };
+      now.total = earlier.total + timer.total() - at_begin.total;
+      now.detection =
+        earlier.detection + since("detection") - at_begin.detection;
+      now.assembly = earlier.assembly + since("assembly") - at_begin.assembly;
+      now.linear_solver =
+        earlier.linear_solver + since("linear solver") - at_begin.linear_solver;
+      now.output = earlier.output + since("output") - at_begin.output;
+    }
+
+
+
+    void
+    Recorder::finish(const IO::Summary::Status status,
+                     const std::string        &reason)
+    {
+      summary.status = status;
+      summary.reason = reason;
+      if (!summary.stages.empty() && summary.stages.back().status == "running")
+        summary.stages.back().status =
+          status == IO::Summary::Status::not_converged ? "not converged"
+          : status == IO::Summary::Status::stopped     ? "stopped"
+                                                       : "failed";
+      write_summary();
+    }
+
+
+
+    void
+    Recorder::write_summary()
+    {
+      update_times();
+      if (first_rank)
+        summary.write(directory);
+    }
+  } // namespace Simulation
+} // namespace Heddle

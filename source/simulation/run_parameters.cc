@@ -1,0 +1,33 @@
+#include <heddle/simulation/run_parameters.h>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    RunParameters::RunParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      add_parameter("Scene",
+                    scene,
+                    "'weave': the fabric of section Weave is brought to its "
+                    "initial configuration. 'centerlines': the fibers of a "
+                    "file, see section Centerlines, are loaded [-].",
+                    prm,
+                    Patterns::Selection("weave|centerlines"));
+      add_parameter("Output directory",
+                    output_directory,
+                    "Folder of all results, as seen from where the program is "
+                    "started; empty: output/NAME for the file NAME.prm [-].");
+      add_parameter("Timing",
+                    timing,
+                    "Whether wall times are printed and written; without "
+                    "them, equal runs leave equal files [-].");
+      add_parameter("Wall time limit",
+                    wall_time_limit,
+                    "Stop in order, with a checkpoint, after this time; 0: "
+                    "never [s].",
+                    prm,
+                    Patterns::Double(0.));
+    }
+  } // namespace Simulation
+} // namespace Heddle

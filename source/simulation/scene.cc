@@ -1,0 +1,147 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
+#include <heddle/simulation/fiber_placement.h>
+#include <heddle/simulation/scene.h>
+#include <heddle/simulation/yarn_guides.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    Scene::Scene(const Parameters  &parameters,
+                 const std::string &parameter_file,
+                 const MPI_Comm     communicator)
+      : parameters(parameters)
+    {
+      make_paths(parameter_file);
+      fiber_space    = make_space(paths, parameters.fiber, communicator);
+      initial_blocks = place_on_paths(*fiber_space, paths);
+      configuration  = std::make_unique<System::State>(*fiber_space);
+      configuration->set(initial_blocks);
+      configuration->accept();
+
+      make_contributions();
+      if (fabric)
+        add_settle_stage();
+      else
+        add_load_stage();
+    }
+
+
+
+    void
+    Scene::make_paths(const std::string &parameter_file)
+    {
+      const unsigned int n_nodes = parameters.fiber.element()->n_nodes();
+      if (parameters.run.scene == "weave")
+        {
+          fabric =
+            std::make_unique<Textile::Weave>(parameters.weave.description());
+          paths =
+            fabric->paths(parameters.fiber.elements_per_fiber * (n_nodes - 1));
+        }
+      else
+        paths = Textile::read_paths(
+          relative_to(parameter_file, parameters.centerlines.file),
+          parameters.centerlines.reading(n_nodes));
+    }
+
+
+
+    void
+    Scene::make_contributions()
+    {
+      const bool straight = fabric || parameters.centerlines.straight_when_free;
+      fiber_elasticity    = std::make_shared<Contributions::FiberElasticity>(
+        *fiber_space, straight ? place_straight(*fiber_space) : initial_blocks);
+      if (parameters.contact.enabled && fibers_can_touch())
+        fiber_contact = std::make_shared<Contributions::FiberContact>(
+          *fiber_space, parameters.contact);
+    }
+
+
+
+    bool
+    Scene::fibers_can_touch() const
+    {
+      // A fiber closes a loop with its own radius at best.
+      const System::Fiber &first = fiber_space->fiber(0);
+      return fiber_space->n_fibers() > 1 ||
+             first.length > 2. * numbers::PI * first.radius;
+    }
+
+
+
+    void
+    Scene::add_settle_stage()
+    {
+      Stage stage;
+      stage.name          = "settle";
+      stage.contributions = {
+        fiber_elasticity, yarn_guides(*fiber_space, paths, parameters.settle)};
+      if (fiber_contact)
+        {
+          // The load factor k/n stands for the k-th of n thresholds.
+          const std::vector<double> thresholds =
+            parameters.settle.thresholds(parameters.contact.threshold);
+          const double n           = thresholds.size();
+          stage.plan.initial_step  = 1. / n;
+          stage.plan.largest_step  = 1. / n;
+          stage.plan.smallest_step = 1. / n;
+          stage.contributions.push_back(fiber_contact);
+          const auto contact = fiber_contact;
+          stage.set_up       = [=](const double load_factor) {
+            contact->set_threshold(
+              thresholds[std::lround(load_factor * n) - 1]);
+          };
+        }
+      all_stages.push_back(stage);
+    }
+
+
+
+    void
+    Scene::add_load_stage()
+    {
+      Stage stage;
+      stage.name          = "load";
+      stage.plan          = parameters.load_stepping.plan();
+      stage.contributions = {fiber_elasticity};
+      if (fiber_contact)
+        stage.contributions.push_back(fiber_contact);
+      all_stages.push_back(stage);
+    }
+
+
+
+    std::vector<std::string>
+    Scene::contribution_names() const
+    {
+      std::vector<std::string> names;
+      for (const Stage &stage : all_stages)
+        for (const auto &contribution : stage.contributions)
+          if (std::find(names.begin(), names.end(), contribution->name()) ==
+              names.end())
+            names.push_back(contribution->name());
+      return names;
+    }
+
+
+
+    double
+    Scene::estimated_memory() const
+    {
+      // Blocks of 3x3 in a row of the tangent: the fiber's own and, about ten
+      // neighbours of two blocks each, those of contact. Bands, vectors and
+      // cells of contact take as much again, a sparse factorization far more.
+      const double per_row = 3. * fiber_space->element().n_blocks() / 2. +
+                             (fiber_contact ? 20. : 0.);
+      const double times =
+        parameters.linear_solver.direct(fiber_space->n_dofs()) ? 10. : 2.;
+      return times * fiber_space->n_blocks() * per_row * 9. * sizeof(double);
+    }
+  } // namespace Simulation
+} // namespace Heddle

@@ -1,0 +1,161 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/solver/load_stepping.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    namespace
+    {
+      /** Load factors closer than this are one. */
+      constexpr double tiny = 1e-12;
+    } // namespace
+
+
+
+    LoadSteppingParameters::LoadSteppingParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      entries.initial_step  = 0.1;
+      entries.smallest_step = 1e-4;
+      add_parameter("Initial step",
+                    entries.initial_step,
+                    "First step of the load factor, which goes from 0 to 1 "
+                    "[-].",
+                    prm,
+                    Patterns::Double(1e-10, 1.));
+      add_parameter("Largest step",
+                    entries.largest_step,
+                    "No step is longer, however easy the last one was [-].",
+                    prm,
+                    Patterns::Double(1e-10, 1.));
+      add_parameter("Smallest step",
+                    entries.smallest_step,
+                    "Steps are halved while no equilibrium is found, and the "
+                    "run is given up when they would get shorter than this "
+                    "[-].",
+                    prm,
+                    Patterns::Double(1e-10, 1.));
+      add_parameter("Easy iterations",
+                    entries.easy_iterations,
+                    "After a step of at most this many Newton iterations the "
+                    "next one is half as long again [-].",
+                    prm,
+                    Patterns::Integer(0));
+      add_parameter("Points",
+                    entries.points,
+                    "Load factors between 0 and 1 that are reached exactly, "
+                    "in ascending order, as in '0.25, 0.5' [-].");
+    }
+
+
+
+    LoadPlan
+    LoadSteppingParameters::plan() const
+    {
+      const auto text = [](const double value) {
+        std::ostringstream out;
+        out << value;
+        return out.str();
+      };
+      require(entries.smallest_step <= entries.initial_step &&
+                entries.initial_step <= entries.largest_step,
+              "Load stepping: the initial step is " +
+                text(entries.initial_step) + "; it must lie between the " +
+                "smallest, " + text(entries.smallest_step) +
+                ", and the largest, " + text(entries.largest_step) + ".");
+      double before = 0.;
+      for (const double point : entries.points)
+        {
+          require(point > before + tiny && point < 1. + tiny,
+                  "Load stepping: the point " + text(point) +
+                    " is not between " + text(before) +
+                    " and 1; list the points in ascending order.");
+          before = point;
+        }
+      return entries;
+    }
+
+
+
+    LoadStepping::LoadStepping(const LoadPlan &plan)
+      : plan(plan)
+      , step(plan.initial_step)
+    {
+    }
+
+
+
+    double
+    LoadStepping::next_point() const
+    {
+      for (const double point : plan.points)
+        if (point > last + tiny)
+          return std::min(point, 1.);
+      return 1.;
+    }
+
+
+
+    unsigned int
+    LoadStepping::n_steps_to(const double point) const
+    {
+      return std::max(1., std::ceil((point - last) / step - 1e-6));
+    }
+
+
+
+    double
+    LoadStepping::next() const
+    {
+      const double       point = next_point();
+      const unsigned int n     = n_steps_to(point);
+      return n == 1 ? point : last + (point - last) / n;
+    }
+
+
+
+    void
+    LoadStepping::accept(const unsigned int newton_iterations)
+    {
+      last = next();
+      if (newton_iterations <= plan.easy_iterations)
+        step = std::min(1.5 * step, plan.largest_step);
+    }
+
+
+
+    bool
+    LoadStepping::cut_back()
+    {
+      // What failed may be shorter than what was meant.
+      const double shorter = 0.5 * (next() - last);
+      if (shorter < plan.smallest_step * (1. - 1e-6))
+        return false;
+      step = shorter;
+      return true;
+    }
+
+
+
+    void
+    LoadStepping::save(ArchiveWriter &archive) const
+    {
+      archive.write_number("load stepping/reached", last);
+      archive.write_number("load stepping/step", step);
+    }
+
+
+
+    void
+    LoadStepping::load(const ArchiveReader &archive)
+    {
+      last = archive.read_number("load stepping/reached");
+      step = archive.read_number("load stepping/step");
+    }
+  } // namespace Solver
+} // namespace Heddle
