@@ -1,6 +1,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/simulation/computation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -141,7 +142,11 @@ namespace Heddle
     Solver::NewtonResult
     Computation::equilibrate(const Solver::Contributions &contributions)
     {
-      System::State       &state = scene.state();
+      System::State &state = scene.state();
+      const bool     rough =
+        std::any_of(contributions.begin(),
+                    contributions.end(),
+                    [](const auto &one) { return one->is_rough(); });
       Solver::NewtonResult total;
       for (unsigned int i = 0; i < n_searches && !total.converged; ++i)
         {
@@ -154,7 +159,8 @@ namespace Heddle
           total.linear_iterations += result.linear_iterations;
           total.residual_ratio = result.residual_ratio;
           total.obstacle       = result.obstacle;
-          if (!result.converged)
+          total.converged      = result.converged;
+          if (!result.converged || !rough)
             return total;
 
           for (const auto &contribution : contributions)

@@ -8,6 +8,8 @@ namespace Heddle
   namespace Simulation
   {
     Parameters::Parameters(const ParameterFile &file)
+      : supports(Contributions::declare_supports(file))
+      , loads(Contributions::declare_loads(file))
     {
       file.apply();
     }
@@ -31,20 +33,16 @@ namespace Heddle
       require(weaves || !centerlines.file.empty(),
               file.name() + ": Centerlines/File is empty; name the file of the "
                             "centerlines.");
-      if (weaves)
-        {
-          require(!file.mentions("/Load stepping"),
-                  file.name() + ": \"Load stepping\" is for Run/Scene = "
-                                "centerlines; a weave has no loads yet.");
-          settle.thresholds(contact.threshold);
-        }
-      else
-        {
-          require(!file.mentions("/Initial configuration"),
-                  file.name() + ": \"Initial configuration\" is for Run/Scene "
-                                "= weave; remove the section.");
-          load_stepping.plan();
-        }
+      for (const std::string section : {"Supports", "Loads", "Load stepping"})
+        require(!weaves || !file.mentions("/" + section),
+                file.name() + ": the section \"" + section +
+                  "\" is for Run/Scene = centerlines; remove it.");
+      require(weaves || !file.mentions("/Initial configuration"),
+              file.name() + ": the section \"Initial configuration\" is for "
+                            "Run/Scene = weave; remove it.");
+      require(weaves || !supports.empty(),
+              file.name() + ": nothing holds the fibers; declare a section "
+                            "\"Supports/Support 1\".");
     }
 
 

@@ -1,5 +1,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/contributions/loads.h>
+#include <heddle/contributions/supports.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/simulation/yarn_guides.h>
@@ -109,7 +111,13 @@ namespace Heddle
       Stage stage;
       stage.name          = "load";
       stage.plan          = parameters.load_stepping.plan();
-      stage.contributions = {fiber_elasticity};
+      stage.contributions = {
+        fiber_elasticity,
+        std::make_shared<Contributions::Supports>(
+          *fiber_space, initial_blocks, parameters.supports)};
+      if (!parameters.loads.empty())
+        stage.contributions.push_back(std::make_shared<Contributions::Loads>(
+          *fiber_space, initial_blocks, parameters.loads));
       if (fiber_contact)
         stage.contributions.push_back(fiber_contact);
       all_stages.push_back(stage);

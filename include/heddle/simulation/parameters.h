@@ -3,6 +3,8 @@
 
 #include <heddle/base/parameter_file.h>
 #include <heddle/contact/contact_parameters.h>
+#include <heddle/contributions/load_parameters.h>
+#include <heddle/contributions/support_parameters.h>
 #include <heddle/io/output_parameters.h>
 #include <heddle/simulation/centerline_parameters.h>
 #include <heddle/simulation/fiber_parameters.h>
@@ -39,6 +41,8 @@ namespace Heddle
       FiberParameters                fiber;
       Contact::ContactParameters     contact;
       SettleParameters               settle;
+      Contributions::SupportList     supports;
+      Contributions::LoadList        loads;
       Solver::LoadSteppingParameters load_stepping;
       Solver::NewtonParameters       newton;
       Solver::LinearSolverParameters linear_solver;
