@@ -38,8 +38,7 @@ namespace Heddle
         const double size = std::ldexp(whole, -int(cell.level));
         const double p    = (cell.number + 0.5) * size;
         const double q    = 0.5 * (cell.q_begin + cell.q_end);
-        return {
-          size, p, q, 0.5 * (p + q), 0.5 * cell.orientation * (p - q)};
+        return {size, p, q, 0.5 * (p + q), 0.5 * cell.orientation * (p - q)};
       }
     } // namespace
 
@@ -248,11 +247,11 @@ namespace Heddle
           const CellPlace there = place(*old);
           const double    close = 0.3 * (there.size + here.size);
           const bool      same =
-            old->orientation == cell.orientation ?
-                   std::abs(there.p - here.p) < 0.51 * there.size &&
-                std::abs(there.q - here.q) < whole :
-                   std::abs(there.s_a - here.s_a) < close &&
-                std::abs(there.s_b - here.s_b) < close;
+            old->orientation == cell.orientation
+                   ? std::abs(there.p - here.p) < 0.51 * there.size &&
+                  std::abs(there.q - here.q) < whole
+                   : std::abs(there.s_a - here.s_a) < close &&
+                  std::abs(there.s_b - here.s_b) < close;
           if (same)
             penalty = std::max(penalty, old->penalty);
         }

@@ -186,8 +186,8 @@ namespace Heddle
         contribution->accept_step(scene.state());
       ++place.number;
       log << "  converged after " << result.iterations
-          << " iterations, residual " << std::scientific
-          << std::setprecision(1) << result.residual_ratio << std::endl;
+          << " iterations, residual " << std::scientific << std::setprecision(1)
+          << result.residual_ratio << std::endl;
       recorder.add_step(place, result);
     }
 
