@@ -20,7 +20,7 @@ namespace Heddle
       constexpr double near = 0.2;
 
       /** Stiffness against approach then, as a part of the penalty. */
-      constexpr double foresight = 0.03;
+      constexpr double foresight = 0.05;
       double
       find_largest_radius(const System::FiberSpace &space)
       {
@@ -267,7 +267,8 @@ namespace Heddle
       // only, which vanishes with the motion.
       const double radius = cells.zones()[element.zone].radius;
       const double close  = std::max(0., 1. - element.gap / (near * radius));
-      return foresight * element.weight * element.penalty * close * close;
+      return caution * foresight * element.weight * element.penalty * close *
+             close;
     }
 
 

@@ -15,8 +15,21 @@ namespace Heddle
   {
     namespace
     {
-      /** Ratio of the residual above which damping is at its full strength. */
-      constexpr double unsettled = 10.;
+      /**
+       * Part of the damping that is left at a residual ratio: all above 10, the
+       * square root below, and proportional to it below 1, where the iteration
+       * would otherwise creep.
+       */
+      double
+      fading(const double ratio)
+      {
+        constexpr double unsettled = 10.;
+        return std::min({1.,
+                         std::sqrt(ratio / unsettled),
+                         ratio / std::sqrt(unsettled)});
+      }
+
+
 
       /** A line search ends where the slope is this part of the first one. */
       constexpr double flat = 0.1;
@@ -94,7 +107,7 @@ namespace Heddle
         contributions.begin(),
         contributions.end(),
         [](const auto &contribution) { return contribution->is_rough(); });
-      damping = rough ? parameters.damping : 0.;
+      set_caution(contributions, rough ? 1. : 0.);
       NewtonResult      result;
       System::Increment increment;
       unsigned int      adapted_at = 0;
@@ -191,9 +204,19 @@ namespace Heddle
 
           // Soft modes are held back the less the closer equilibrium is.
           if (rough)
-            damping = parameters.damping *
-                      std::min(1., std::sqrt(residual.ratio / unsettled));
+            set_caution(contributions, fading(residual.ratio));
         }
+    }
+
+
+
+    void
+    Newton::set_caution(const Contributions &contributions,
+                        const double         caution)
+    {
+      damping = caution * parameters.damping;
+      for (const auto &contribution : contributions)
+        contribution->set_caution(caution);
     }
 
 

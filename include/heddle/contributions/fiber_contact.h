@@ -64,6 +64,12 @@ namespace Heddle
       assemble(const System::State &state,
                System::BlockSystem &system) override;
 
+      void
+      set_caution(const double value) override
+      {
+        caution = value;
+      }
+
       bool
       is_rough() const override
       {
@@ -164,6 +170,7 @@ namespace Heddle
       const Contact::ContactParameters &parameters;
       double                            threshold;
       const double                      largest_radius;
+      double                            caution = 1.;
       Contact::ContactCells::Filter     filter;
 
       bool                                 searched = false;

@@ -99,6 +99,10 @@ namespace Heddle
       void
       assemble(System::State &state, const Contributions &contributions);
 
+      /** From 1, unsettled, to 0: damping and the caution of all terms. */
+      void
+      set_caution(const Contributions &contributions, const double caution);
+
       /** Call @p action(position block, stiffness that holds it back). */
       template <typename Action>
       void

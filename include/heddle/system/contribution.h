@@ -95,6 +95,15 @@ namespace Heddle
       }
 
       /**
+       * How unsettled the iteration is, from 1 down to 0 in equilibrium: by
+       * that much a rough term may stiffen its tangent beyond its own.
+       */
+      virtual void
+      set_caution(const double)
+      {
+      }
+
+      /**
        * Whether this term is too rough for Newton's full step: then the solver
        * looks for a shorter one with the help of slope_and_curvature().
        */
