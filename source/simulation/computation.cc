@@ -187,9 +187,11 @@ namespace Heddle
       for (const auto &contribution : stage.contributions)
         contribution->accept_step(scene.state());
       ++place.number;
-      log << "  converged after " << result.iterations
-          << " iterations, residual " << std::scientific << std::setprecision(1)
-          << result.residual_ratio << std::endl;
+      log << "  converged after " << result.iterations << " iterations";
+      if (!std::isnan(result.residual_ratio))
+        log << ", residual " << std::scientific << std::setprecision(1)
+            << result.residual_ratio;
+      log << std::endl;
       recorder.add_step(place, result);
     }
 
