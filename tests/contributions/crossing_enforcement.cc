@@ -146,8 +146,8 @@ order(const Function &f, const double derivative)
   const auto error = [&](const double h) {
     return std::abs((f(h) - f(-h)) / (2. * h) - derivative);
   };
-  return std::round(10. * std::log2(error(2e-2 * radius) / //
-                                    error(1e-2 * radius))) /
+  return std::round(10. * std::log2(error(5e-3 * radius) / //
+                                    error(2.5e-3 * radius))) /
          10.;
 }
 
@@ -165,7 +165,8 @@ check(const Simulation::FiberParameters &fiber, const unsigned int seed)
   const auto assembled = scene.assembled(any);
   const auto told = scene.enforcement.slope_and_curvature(scene.state, any);
   deallog << fiber.element_name << " " << seed << ": active "
-          << scene.enforcement.n_active() << ", order of the forces "
+          << static_cast<unsigned int>(scene.enforcement.n_active())
+          << ", order of the forces "
           << order([&](const double h) { return scene.energy(any, h); },
                    assembled.first);
 

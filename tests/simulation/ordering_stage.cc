@@ -61,9 +61,11 @@ widest(const std::vector<Post::Polyline> &lines, const double radius)
   double largest = 0.;
   for (unsigned int a = 0; a < 3; ++a)
     for (unsigned int b = 0; b < a; ++b)
-      largest = std::max(
-        largest,
-        lines[a][lines[a].size() / 2].distance(lines[b][lines[b].size() / 2]));
+      {
+        const unsigned int middle = lines[a].size() / 2;
+        largest =
+          std::max(largest, (lines[a][middle] - lines[b][middle]).norm());
+      }
   return largest / radius;
 }
 

@@ -1,0 +1,130 @@
+// Two simply supported beams cross in their middles and just touch; the
+// supports of the upper one come down by D. The force between them is that of
+// three springs in series, D = F (1 / k1 + 1 / k2) + d(F), with k = 48 EI / L^3
+// and the approach d of two crossing cylinders by the law of contact, whose
+// penalty is adapted. With an odd number of elements the force acts amid one.
+#include <heddle/contributions/fiber_contact.h>
+
+#include "../contributions/scene.h"
+
+const double radius = 0.01, length = 1., modulus = 1e4, approach = 0.2 * radius;
+
+
+
+/**
+ * Force of two cylinders that cross at a right angle, at the distance @p h of
+ * their axes. Where s is the length of the intermediate curve the axes are
+ * $\sqrt{h^2 + 2 s^2}$ from each other.
+ */
+double
+crossing_force(const double penalty, const double threshold, const double h)
+{
+  const Contact::NormalLaw law{0.5 * threshold * radius};
+  const double             reach = std::sqrt(2. * radius * radius - h * h / 2.);
+  const unsigned int       n     = 20000;
+  double                   force = 0.;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const double s        = reach * ((2. * i + 1.) / n - 1.);
+      const double distance = std::sqrt(h * h + 2. * s * s);
+      force += 2. * reach / n * h / distance *
+               law.pressure(penalty, 2. * radius - distance);
+    }
+  return force;
+}
+
+
+
+/** Force of the springs in series, by bisection in the penetration. */
+double
+exact_force(const double penalty, const double threshold)
+{
+  const double bending = modulus * M_PI / 4. * std::pow(radius, 4);
+  const double beam    = 48. * bending / std::pow(length, 3);
+  double       low = 0., high = approach;
+  for (unsigned int i = 0; i < 50; ++i)
+    {
+      const double middle = 0.5 * (low + high);
+      const double force =
+        crossing_force(penalty, threshold, 2. * radius - middle);
+      (2. * force / beam + middle < approach ? low : high) = middle;
+    }
+  return crossing_force(penalty, threshold, 2. * radius - low);
+}
+
+
+
+/** Both beams, simply supported; the upper one comes down. */
+void
+describe(Scene &scene, const unsigned int n_elements)
+{
+  scene.fibers.axial_modulus = modulus;
+  scene.newton.damping       = 0.;
+  for (const std::string fiber : {"0", "1"})
+    for (const std::string end : {"first end", "last end"})
+      {
+        auto &support        = scene.add_support();
+        support.nodes.fibers = fiber;
+        support.nodes.nodes  = end;
+        support.displacement = {{"0", "0", "0"}};
+        if (end == "last end")
+          support.displacement[fiber == "0" ? 0 : 1] = "free";
+        if (fiber == "1")
+          support.displacement[2] = "-" + std::to_string(approach) + "*t";
+      }
+  std::vector<Textile::FiberPath> paths;
+  for (unsigned int direction = 0; direction < 2; ++direction)
+    {
+      Tensor<1, 3> half, middle;
+      half[direction] = 0.5 * length;
+      middle[2]       = 2. * radius * direction;
+      paths.push_back(
+        straight_path(middle - half, middle + half, n_elements + 1, radius));
+    }
+  scene.build(paths);
+}
+
+
+
+/** Return the relative error of the force. */
+double
+error_of_force(const unsigned int n_elements, const double threshold)
+{
+  Contact::ContactParameters contact;
+  contact.threshold = threshold;
+  Scene scene;
+  describe(scene, n_elements);
+  const auto touch =
+    std::make_shared<Contributions::FiberContact>(*scene.space, contact);
+  scene.contributions.push_back(touch);
+  const auto result = scene.solve(1.);
+  if (!result.converged)
+    deallog << "FAIL: " << result.obstacle << std::endl;
+  if (getenv("SHOW"))
+    std::cout << scene.screen.str();
+  double penalty = 0.;
+  for (const auto &element : touch->elements())
+    penalty = std::max(penalty, element.penalty);
+  const auto   values = scene.report();
+  const double force =
+    values.at("support_1_force_z[N]") + values.at("support_2_force_z[N]");
+  const double balance = values.at("support_3_force_z[N]") +
+                         values.at("support_4_force_z[N]") + force;
+  const double exact = exact_force(penalty, threshold);
+  deallog << "elements " << n_elements << ", threshold " << threshold
+          << ": iterations " << result.iterations << ", force " << -force << " "
+          << exact << ", error " << -force / exact - 1. << ", balance "
+          << balance << std::endl;
+  return -force / exact - 1.;
+}
+
+
+
+int
+main(int argc, char **argv)
+{
+  MPITest mpi(argc, argv);
+  for (const double threshold : {0.02, 0.01})
+    for (const unsigned int n_elements : {5, 9, 17, 33, 4, 8, 16})
+      error_of_force(n_elements, threshold);
+}
