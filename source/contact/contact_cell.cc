@@ -12,8 +12,13 @@ namespace Heddle
     {
       namespace ContactCell
       {
+        using GaussPoint = std::pair<double, double>;
+
         /** Places and weights of the elements of a stretch, from -1 to 1. */
-        constexpr std::array<std::pair<double, double>, 4> gauss_points = {
+        constexpr std::array<GaussPoint, 2> two_points = {
+          {{-0.5773502691896258, 1.}, {0.5773502691896258, 1.}}};
+
+        constexpr std::array<GaussPoint, 4> four_points = {
           {{-0.8611363115940526, 0.3478548451374538},
            {-0.3399810435848563, 0.6521451548625461},
            {0.3399810435848563, 0.6521451548625461},
@@ -104,155 +109,225 @@ namespace Heddle
 
     namespace
     {
-      /** One element at @p p; returns its gap. */
-      double
-      place_element(const IntermediateGeometry  &geometry,
-                    const double                 p,
-                    double                       q,
-                    const double                 weight,
-                    std::vector<ContactElement> &elements)
+      /** Places the elements of one cell. */
+      class CellFiller
       {
-        const FacingParticles particles = geometry.facing(p, q);
-        ContactElement        element   = {};
-        const double          distance  = std::sqrt(particles.squared_distance);
-        element.s_a                     = particles.s_a;
-        element.s_b                     = particles.s_b;
-        element.weight                  = weight;
-        element.gap    = distance - geometry.a.radius - geometry.b.radius;
-        element.normal = particles.connection / distance;
-        elements.push_back(element);
-        return element.gap;
+      public:
+        CellFiller(const IntermediateGeometry  &geometry,
+                   const unsigned int           n_points,
+                   const double                 near,
+                   std::vector<ContactElement> &elements)
+          : geometry(geometry)
+          , n_points(n_points)
+          , near(near)
+          , reach(geometry.a.radius + geometry.b.radius)
+          , elements(elements)
+        {
+        }
+
+        /** Fill a cell, cut where the end of a fiber comes to face. */
+        void
+        fill(const CellEnd &begin, const CellEnd &end);
+
+        double deepest = 0.;
+
+      private:
+        /** Fill a part in which no end begins to face. */
+        void
+        fill_smooth(const CellEnd &begin, const CellEnd &end);
+
+        /** Place the elements of the overlap between t = low and t = high. */
+        void
+        fill_stretch(const CellEnd &begin,
+                     const CellEnd &end,
+                     const double   low,
+                     const double   high);
+
+        /** Place an open element where the surfaces are closest. */
+        void
+        fill_open(const CellEnd                      &begin,
+                  const CellEnd                      &end,
+                  const internal::ContactCell::Cubic &f);
+
+        /** The element at the part @p t of the range of p. */
+        ContactElement
+        element_at(const CellEnd &begin,
+                   const CellEnd &end,
+                   const double   t,
+                   const double   weight) const;
+
+        const IntermediateGeometry  &geometry;
+        const unsigned int           n_points;
+        const double                 near;
+        const double                 reach;
+        std::vector<ContactElement> &elements;
+      };
+
+
+
+      ContactElement
+      CellFiller::element_at(const CellEnd &begin,
+                             const CellEnd &end,
+                             const double   t,
+                             const double   weight) const
+      {
+        double                q = begin.q + t * (end.q - begin.q);
+        const FacingParticles particles =
+          geometry.facing(begin.p + t * (end.p - begin.p), q);
+        const double   distance = std::sqrt(particles.squared_distance);
+        ContactElement element  = {};
+        element.s_a             = particles.s_a;
+        element.s_b             = particles.s_b;
+        element.weight          = weight;
+        element.gap             = distance - reach;
+        element.normal          = particles.connection / distance;
+        return element;
       }
-    } // namespace
 
 
 
-    namespace
-    {
-      /** The same within a cell in which no end of a fiber begins to face. */
-      double
-      place_in_smooth_cell(const IntermediateGeometry  &geometry,
-                           const CellEnd               &begin,
-                           const CellEnd               &end,
-                           std::vector<ContactElement> &elements)
+      void
+      CellFiller::fill(const CellEnd &begin, const CellEnd &end)
+      {
+        const double size = end.p - begin.p;
+        CellEnd      from = begin;
+        if (begin.end != end.end)
+          {
+            // The distance changes by no more than p: is there an overlap?
+            if (std::sqrt(begin.squared_distance) +
+                  std::sqrt(end.squared_distance) - size >
+                2. * reach)
+              return;
+            for (unsigned int cut = 0; cut < 3 && from.end != end.end; ++cut)
+              {
+                CellEnd low = from, high = end;
+                for (unsigned int step = 0; step < 45; ++step)
+                  {
+                    const CellEnd middle = cell_end(
+                      geometry, 0.5 * (low.p + high.p), 0.5 * (low.q + high.q));
+                    (middle.end == from.end ? low : high) = middle;
+                  }
+                if (low.p - from.p > 1e-9 * size)
+                  fill_smooth(from, low);
+                from = high;
+              }
+          }
+        if (end.p - from.p > 1e-9 * size)
+          fill_smooth(from, end);
+      }
+
+
+
+      void
+      CellFiller::fill_smooth(const CellEnd &begin, const CellEnd &end)
       {
         using namespace internal::ContactCell;
-        const double size  = end.p - begin.p;
-        const double reach = geometry.a.radius + geometry.b.radius;
-        const double f0    = begin.squared_distance - reach * reach,
-                     f1    = end.squared_distance - reach * reach,
+        const double size = end.p - begin.p;
+        const double f0   = begin.squared_distance - reach * reach,
+                     f1   = end.squared_distance - reach * reach,
                      m0 = size * begin.slope, m1 = size * end.slope;
 
         // The control polygon bounds the cubic: most cells end here.
-        if (std::min({f0, f0 + m0 / 3., f1 - m1 / 3., f1}) >= 0.)
-          return 0.;
+        const double least = std::min({f0, f0 + m0 / 3., f1 - m1 / 3., f1});
+        if (least >= near * (2. * reach + near))
+          return;
         const Cubic f = {
           f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
 
+        // Walk over the monotone pieces and collect stretches with f < 0.
         std::array<double, 2> stationary;
         const unsigned int    n_stationary = stationary_points(f, stationary);
-        double                deepest      = 0.;
-        const auto            guess        = [&](const double t) {
-          return begin.q + t * (end.q - begin.q);
-        };
-
-        // Walk over the monotone pieces and collect stretches with f < 0.
-        double stretch_begin = 0., low = 0.;
-        bool   inside = f0 < 0.;
+        const auto            n_before     = elements.size();
+        double                from = 0., low = 0.;
+        bool                  inside = f0 < 0.;
         for (unsigned int piece = 0; piece <= n_stationary; ++piece)
           {
             const double high = piece < n_stationary ? stationary[piece] : 1.;
-            const bool   ends = piece == n_stationary;
-            double       stretch_end = high;
-            bool         complete    = inside && ends;
             if ((f(high) < 0.) != inside)
               {
                 const double root = root_between(f, low, high);
                 if (inside)
-                  {
-                    stretch_end = root;
-                    complete    = true;
-                  }
-                else
-                  {
-                    stretch_begin = root;
-                    complete      = ends;
-                  }
+                  fill_stretch(begin, end, from, root);
+                from   = root;
                 inside = !inside;
               }
-            if (complete)
-              {
-                const double middle = 0.5 * (stretch_begin + stretch_end);
-                const double half   = 0.5 * (stretch_end - stretch_begin);
-                for (const auto &point : gauss_points)
-                  {
-                    const double t = middle + point.first * half;
-                    // p measures twice the length of the intermediate curve.
-                    deepest =
-                      std::max(deepest,
-                               -place_element(geometry,
-                                              begin.p + t * size,
-                                              guess(t),
-                                              0.5 * point.second * half * size,
-                                              elements));
-                  }
-              }
             low = high;
+          }
+        if (inside)
+          fill_stretch(begin, end, from, 1.);
+        if (elements.size() == n_before)
+          {
+            fill_open(begin, end, f);
+            return;
           }
 
         for (unsigned int k = 0; k < n_stationary; ++k)
           if (f(stationary[k]) < 0.)
-            {
-              double                q = guess(stationary[k]);
-              const FacingParticles particles =
-                geometry.facing(begin.p + stationary[k] * size, q);
-              deepest = std::max(deepest,
-                                 reach - std::sqrt(particles.squared_distance));
-            }
-        for (const CellEnd *cell_end : {&begin, &end})
+            deepest =
+              std::max(deepest, -element_at(begin, end, stationary[k], 0.).gap);
+        for (const CellEnd *side : {&begin, &end})
           deepest =
-            std::max(deepest, reach - std::sqrt(cell_end->squared_distance));
-        return deepest;
+            std::max(deepest, reach - std::sqrt(side->squared_distance));
+      }
+
+
+
+      void
+      CellFiller::fill_stretch(const CellEnd &begin,
+                               const CellEnd &end,
+                               const double   low,
+                               const double   high)
+      {
+        using namespace internal::ContactCell;
+        const double half = 0.5 * (high - low);
+        for (unsigned int k = 0; k < n_points; ++k)
+          {
+            const GaussPoint point =
+              n_points == 2 ? two_points[k] : four_points[k];
+            // p measures twice the length of the intermediate curve.
+            elements.push_back(
+              element_at(begin,
+                         end,
+                         low + half * (1. + point.first),
+                         0.5 * point.second * half * (end.p - begin.p)));
+            deepest = std::max(deepest, -elements.back().gap);
+          }
+      }
+
+
+
+      void
+      CellFiller::fill_open(const CellEnd                      &begin,
+                            const CellEnd                      &end,
+                            const internal::ContactCell::Cubic &f)
+      {
+        std::array<double, 2> stationary;
+        const unsigned int    n_stationary =
+          internal::ContactCell::stationary_points(f, stationary);
+        double closest = f(0.) < f(1.) ? 0. : 1.;
+        for (unsigned int k = 0; k < n_stationary; ++k)
+          if (f(stationary[k]) < f(closest))
+            closest = stationary[k];
+        const ContactElement element =
+          element_at(begin, end, closest, 0.5 * (end.p - begin.p));
+        if (element.gap < near)
+          elements.push_back(element);
       }
     } // namespace
 
 
 
     double
-    place_elements(const IntermediateGeometry  &geometry,
-                   const CellEnd               &begin,
-                   const CellEnd               &end,
-                   std::vector<ContactElement> &elements)
+    place_in_cell(const IntermediateGeometry  &geometry,
+                  const CellEnd               &begin,
+                  const CellEnd               &end,
+                  const unsigned int           n_points,
+                  const double                 near,
+                  std::vector<ContactElement> &elements)
     {
-      const double size    = end.p - begin.p;
-      double       deepest = 0.;
-      CellEnd      from    = begin;
-      if (begin.end != end.end)
-        {
-          // The distance changes by no more than p: is there an overlap?
-          if (std::sqrt(begin.squared_distance) +
-                std::sqrt(end.squared_distance) - size >
-              2. * (geometry.a.radius + geometry.b.radius))
-            return 0.;
-          for (unsigned int cut = 0; cut < 3 && from.end != end.end; ++cut)
-            {
-              CellEnd low = from, high = end;
-              for (unsigned int step = 0; step < 45; ++step)
-                {
-                  const CellEnd middle = cell_end(
-                    geometry, 0.5 * (low.p + high.p), 0.5 * (low.q + high.q));
-                  (middle.end == from.end ? low : high) = middle;
-                }
-              if (low.p - from.p > 1e-9 * size)
-                deepest = std::max(
-                  deepest, place_in_smooth_cell(geometry, from, low, elements));
-              from = high;
-            }
-        }
-      if (end.p - from.p > 1e-9 * size)
-        deepest = std::max(deepest,
-                           place_in_smooth_cell(geometry, from, end, elements));
-      return deepest;
+      CellFiller filler(geometry, n_points, near, elements);
+      filler.fill(begin, end);
+      return filler.deepest;
     }
   } // namespace Contact
 } // namespace Heddle

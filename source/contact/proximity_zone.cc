@@ -170,21 +170,24 @@ namespace Heddle
             zone.fiber_a = first->fiber_a;
             zone.fiber_b = first->fiber_b;
 
-            double       sine_sum = 0., least_distance = 0.;
-            unsigned int size = 0, closest = c;
+            double       sine_sum = 0., weight_sum = 0., least_distance = 0.;
+            unsigned int closest = c;
             for (unsigned int k = 0; k < n; ++k)
               if (component[k] == c)
                 {
                   const double distance = internal::ProximityZone::distance(
                     a, first[k].interval_a, b, first[k].interval_b);
-                  if (size == 0 || distance < least_distance)
+                  if (weight_sum == 0. || distance < least_distance)
                     {
                       least_distance = distance;
                       closest        = k;
                     }
+                  // Neighbours along a bent zone are at an angle, but apart.
+                  const double weight = std::pow(distance, -4.);
                   sine_sum +=
+                    weight *
                     std::sqrt(std::max(0., 1. - cosines[k] * cosines[k]));
-                  ++size;
+                  weight_sum += weight;
                 }
             // At a right angle both orientations give the same forces: it has
             // to change where the fibers are at one, which is where they touch.
@@ -194,7 +197,7 @@ namespace Heddle
                   0.
                 ? 1
                 : -1;
-            zone.sine = sine_sum / size;
+            zone.sine = sine_sum / weight_sum;
 
             zone.begin = std::numeric_limits<double>::max();
             zone.end   = -zone.begin;

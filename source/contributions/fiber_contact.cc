@@ -16,8 +16,19 @@ namespace Heddle
       /** Motion after which fibers are searched anew, in search distances. */
       constexpr double stale_after = 0.125;
 
-      /** A penalty aims a little below the threshold that it has to keep. */
-      constexpr double safety = 0.9;
+      /** Gap over radius below which surfaces are about to touch. */
+      constexpr double near = 0.2;
+
+      /** Stiffness against approach then, as a part of the penalty. */
+      constexpr double foresight = 0.03;
+      double
+      find_largest_radius(const System::FiberSpace &space)
+      {
+        double largest = 0.;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          largest = std::max(largest, space.fiber(f).radius);
+        return largest;
+      }
     } // namespace
 
 
@@ -27,16 +38,20 @@ namespace Heddle
       : space(space)
       , parameters(parameters)
       , threshold(parameters.threshold)
+      , largest_radius(find_largest_radius(space))
       , filter([](unsigned int, unsigned int) { return true; })
+      , cells(parameters.search_distance * largest_radius,
+              parameters.refinement,
+              [this](const unsigned int a, const unsigned int b) {
+                return first_penalty(a, b);
+              })
     {
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        largest_radius = std::max(largest_radius, space.fiber(f).radius);
     }
 
 
 
     void
-    FiberContact::restrict_to(const Filter &new_filter)
+    FiberContact::restrict_to(const Contact::ContactCells::Filter &new_filter)
     {
       filter   = new_filter;
       searched = false;
@@ -98,37 +113,21 @@ namespace Heddle
           }
       knot_positions.resize(n_knots);
       knot_tangents.resize(n_knots);
+      curves.reset(space.n_fibers());
       for (unsigned int f = 0; f < space.n_fibers(); ++f)
         if (state.has(f))
-          space.centerline_knots(f,
-                                 state.fiber(f),
-                                 knot_positions.data() + first_knot[f],
-                                 knot_tangents.data() + first_knot[f]);
-    }
-
-
-
-    Contact::Curve
-    FiberContact::curve(const unsigned int f) const
-    {
-      return Contact::Curve(space.fiber(f).n_nodes,
-                            space.node_positions(f),
-                            knot_positions.data() + first_knot[f],
-                            knot_tangents.data() + first_knot[f],
-                            space.fiber(f).radius);
-    }
-
-
-
-    Contact::IntermediateGeometry
-    FiberContact::geometry(const Contact::ContactCell &cell) const
-    {
-      const Contact::Curve a = curve(cell.fiber_a);
-      return Contact::IntermediateGeometry(
-        a,
-        curve(cell.fiber_b),
-        cell.orientation,
-        cell.fiber_a == cell.fiber_b ? Contact::least_self_separation(a) : 0.);
+          {
+            Tensor<1, 3> *positions = knot_positions.data() + first_knot[f];
+            Tensor<1, 3> *tangents  = knot_tangents.data() + first_knot[f];
+            space.centerline_knots(f, state.fiber(f), positions, tangents);
+            curves.add({f,
+                        space.owns(f),
+                        Contact::Curve(space.fiber(f).n_nodes,
+                                       space.node_positions(f),
+                                       positions,
+                                       tangents,
+                                       space.fiber(f).radius)});
+          }
     }
 
 
@@ -217,31 +216,6 @@ namespace Heddle
 
 
     double
-    FiberContact::whole_cell(const unsigned int a, const unsigned int b) const
-    {
-      const auto interval = [this](const unsigned int f) {
-        return space.fiber(f).length / (space.fiber(f).n_nodes - 1);
-      };
-      // p is twice an arc length.
-      return (interval(a) + interval(b)) / parameters.refinement;
-    }
-
-
-
-    std::pair<double, double>
-    FiberContact::range(const Contact::ContactCell          &cell,
-                        const Contact::IntermediateGeometry &between) const
-    {
-      const double size =
-        std::ldexp(whole_cell(cell.fiber_a, cell.fiber_b), -int(cell.level));
-      const auto whole = between.range();
-      return {std::max(cell.number * size, whole.first),
-              std::min((cell.number + 1) * size, whole.second)};
-    }
-
-
-
-    double
     FiberContact::first_penalty(const unsigned int a,
                                 const unsigned int b) const
     {
@@ -267,139 +241,8 @@ namespace Heddle
           searched_at[2 * i]     = knot_positions[i];
           searched_at[2 * i + 1] = knot_tangents[i];
         }
-
-      std::vector<Contact::NumberedCurve> curves;
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        if (state.has(f))
-          curves.push_back({f, space.owns(f), curve(f)});
-      const std::vector<Contact::CandidatePair> candidates =
-        Contact::find_candidates(curves,
-                                 parameters.search_distance * largest_radius);
-
-      std::vector<Contact::ContactCell> old_cells;
-      old_cells.swap(cells);
-      zones.clear();
-      for (auto first = candidates.begin(); first != candidates.end();)
-        {
-          auto last = first;
-          while (last != candidates.end() && last->fiber_a == first->fiber_a &&
-                 last->fiber_b == first->fiber_b)
-            ++last;
-          if (filter(first->fiber_a, first->fiber_b))
-            {
-              const Contact::Curve a = curve(first->fiber_a),
-                                   b = curve(first->fiber_b);
-              for (const Contact::ProximityZone &zone :
-                   Contact::find_zones(&*first, &*first + (last - first), a, b))
-                cover_zone(zone, a, b, old_cells);
-            }
-          first = last;
-        }
-      std::sort(cells.begin(), cells.end());
+      cells.search(curves, filter);
       searched = true;
-    }
-
-
-
-    void
-    FiberContact::cover_zone(const Contact::ProximityZone            &zone,
-                             const Contact::Curve                    &a,
-                             const Contact::Curve                    &b,
-                             const std::vector<Contact::ContactCell> &old_cells)
-    {
-      Contact::ContactCell cell                   = {};
-      cell.fiber_a                                = zone.fiber_a;
-      cell.fiber_b                                = zone.fiber_b;
-      cell.orientation                            = zone.orientation;
-      cell.zone                                   = zones.size();
-      const Contact::IntermediateGeometry between = geometry(cell);
-
-      // Across one cell the fibers part by no more than about a radius.
-      const double whole  = whole_cell(zone.fiber_a, zone.fiber_b);
-      const double radius = std::min(a.radius, b.radius);
-      while (std::ldexp(0.5 * whole * zone.sine, -int(cell.level)) > radius)
-        ++cell.level;
-      const double size = std::ldexp(whole, -int(cell.level));
-
-      const double begin = std::max(zone.begin, between.range().first);
-      const double end   = std::min(zone.end, between.range().second);
-      if (begin >= end)
-        return;
-      zones.push_back({0., radius});
-
-      // Along p the distance changes by at most sin(45 deg), but past the end
-      // of a fiber as much as p.
-      const double reach = a.radius + b.radius +
-                           parameters.search_distance * largest_radius +
-                           0.5 * size;
-      const auto first_of_zone = cells.size();
-      double     known_penalty = 0.;
-      for (cell.number = std::floor(begin / size); cell.number * size < end;
-           ++cell.number)
-        {
-          const auto   p      = range(cell, between);
-          const double middle = 0.5 * (p.first + p.second);
-          double       q      = zone.guess(middle);
-          if (between.facing(middle, q).squared_distance > reach * reach)
-            continue;
-          cell.q_begin = cell.q_end = q;
-          between.facing(p.first, cell.q_begin);
-          between.facing(p.second, cell.q_end);
-
-          // Two zones of one pair may end in one cell: it belongs to the first.
-          const auto same = [&cell, size](const Contact::ContactCell &other) {
-            return other.number == cell.number && other.level == cell.level &&
-                   other.orientation == cell.orientation &&
-                   std::abs(other.q_begin - cell.q_begin) < size;
-          };
-          bool known = false;
-          for (auto k = first_of_zone;
-               k > 0 && cells[k - 1].fiber_a == cell.fiber_a &&
-               cells[k - 1].fiber_b == cell.fiber_b && !known;
-               --k)
-            known = same(cells[k - 1]);
-          if (known)
-            continue;
-
-          cell.penalty  = old_penalty(cell, old_cells);
-          known_penalty = std::max(known_penalty, cell.penalty);
-          cells.push_back(cell);
-        }
-
-      // A zone that grew is as stiff in its new cells as in its old ones.
-      if (known_penalty == 0.)
-        known_penalty = first_penalty(zone.fiber_a, zone.fiber_b);
-      for (auto k = first_of_zone; k < cells.size(); ++k)
-        if (cells[k].penalty == 0.)
-          cells[k].penalty = known_penalty;
-    }
-
-
-
-    double
-    FiberContact::old_penalty(
-      const Contact::ContactCell              &cell,
-      const std::vector<Contact::ContactCell> &old_cells) const
-    {
-      // The cell itself, or one of another level that covers its middle.
-      Contact::ContactCell low = cell;
-      low.orientation          = -2;
-      const double whole       = whole_cell(cell.fiber_a, cell.fiber_b);
-      const double middle =
-        std::ldexp((cell.number + 0.5) * whole, -int(cell.level));
-      double penalty = 0.;
-      for (auto old = std::lower_bound(old_cells.begin(), old_cells.end(), low);
-           old != old_cells.end() && old->fiber_a == cell.fiber_a &&
-           old->fiber_b == cell.fiber_b;
-           ++old)
-        {
-          const double size = std::ldexp(whole, -int(old->level));
-          if (old->orientation == cell.orientation &&
-              std::abs((old->number + 0.5) * size - middle) < 0.51 * size &&
-              std::abs(old->q_begin - cell.q_begin) < whole)
-            penalty = std::max(penalty, old->penalty);
-        }
-      return penalty;
     }
 
 
@@ -408,42 +251,23 @@ namespace Heddle
     FiberContact::place_elements()
     {
       contact_elements.clear();
-      for (Zone &zone : zones)
-        zone.penetration = 0.;
+      cells.place_elements(curves, threshold, near, contact_elements);
+    }
 
-      Contact::CellEnd end = {};
-      for (unsigned int c = 0; c < cells.size(); ++c)
-        {
-          const Contact::ContactCell         &cell    = cells[c];
-          const Contact::IntermediateGeometry between = geometry(cell);
-          const auto                          p       = range(cell, between);
 
-          // Neighbouring cells share their ends.
-          const bool continues = c > 0 && cells[c - 1].zone == cell.zone &&
-                                 cells[c - 1].number + 1 == cell.number;
-          const Contact::CellEnd begin =
-            continues ? end : Contact::cell_end(between, p.first, cell.q_begin);
-          end = Contact::cell_end(between, p.second, cell.q_end);
 
-          const auto   first = contact_elements.size();
-          const double penetration =
-            Contact::place_elements(between, begin, end, contact_elements);
-          Zone &zone       = zones[cell.zone];
-          zone.penetration = std::max(zone.penetration, penetration);
-          for (auto k = first; k < contact_elements.size(); ++k)
-            {
-              Contact::ContactElement &element = contact_elements[k];
-              element.fiber_a                  = cell.fiber_a;
-              element.fiber_b                  = cell.fiber_b;
-              element.zone                     = cell.zone;
-              element.penalty                  = cell.penalty;
-              element.force =
-                element.gap < 0.
-                  ? element.weight *
-                      law(zone.radius).pressure(cell.penalty, -element.gap)
-                  : 0.;
-            }
-        }
+    double
+    FiberContact::stiffness(const Contact::ContactElement &element) const
+    {
+      if (element.gap < 0.)
+        return element.weight * cells.law(element.zone, threshold)
+                                  .stiffness(element.penalty, -element.gap);
+
+      // Surfaces about to touch resist their approach: a part of the tangent
+      // only, which vanishes with the motion.
+      const double radius = cells.zones()[element.zone].radius;
+      const double close  = std::max(0., 1. - element.gap / (near * radius));
+      return foresight * element.weight * element.penalty * close * close;
     }
 
 
@@ -459,21 +283,20 @@ namespace Heddle
             sums[0] += 1.;
             sums[1] += element.force;
             sums[2] +=
-              element.weight * law(zones[element.zone].radius)
+              element.weight * cells.law(element.zone, threshold)
                                  .energy(element.penalty, -element.gap);
             extremes[1] = std::max(extremes[1], element.penalty);
             extremes[2] = std::max(extremes[2], -element.penalty);
           }
-      // Where the surfaces do not overlap, a cell stands for its two elements.
-      for (const Contact::ContactCell &cell : cells)
-        sums[3] += space.owns(cell.fiber_a) ? 2. : 0.;
-      for (const Zone &zone : zones)
+      for (const Contact::ContactElement &element : contact_elements)
+        sums[3] += space.owns(element.fiber_a) ? 1. : 0.;
+      for (const Contact::ContactCells::Zone &zone : cells.zones())
         extremes[0] = std::max(extremes[0], zone.penetration / zone.radius);
       sum_over_ranks(sums, space.communicator());
       max_over_ranks(extremes, space.communicator());
 
       statistics.n_active        = sums[0];
-      statistics.n_elements      = std::max(sums[3], sums[0]);
+      statistics.n_elements      = sums[3];
       statistics.mean_force      = sums[0] > 0. ? sums[1] / sums[0] : 0.;
       statistics.energy          = sums[2];
       statistics.deepest         = extremes[0];
@@ -484,15 +307,14 @@ namespace Heddle
 
 
     std::vector<Contact::CandidatePair>
-    FiberContact::active_pairs() const
+    FiberContact::element_pairs() const
     {
       std::vector<Contact::CandidatePair> pairs;
       for (const Contact::ContactElement &element : contact_elements)
-        if (element.force > 0.)
-          pairs.push_back({element.fiber_a,
-                           element.fiber_b,
-                           space.interval(element.fiber_a, element.s_a),
-                           space.interval(element.fiber_b, element.s_b)});
+        pairs.push_back({element.fiber_a,
+                         element.fiber_b,
+                         space.interval(element.fiber_a, element.s_a),
+                         space.interval(element.fiber_b, element.s_b)});
       std::sort(pairs.begin(), pairs.end());
       return pairs;
     }
@@ -502,7 +324,7 @@ namespace Heddle
     bool
     FiberContact::needs_new_pattern() const
     {
-      const std::vector<Contact::CandidatePair> pairs = active_pairs();
+      const std::vector<Contact::CandidatePair> pairs = element_pairs();
       return !std::includes(
         pattern_pairs.begin(), pattern_pairs.end(), pairs.begin(), pairs.end());
     }
@@ -534,7 +356,7 @@ namespace Heddle
     FiberContact::add_pattern(const System::State          &state,
                               System::BlockSystem::Pattern &pattern)
     {
-      pattern_pairs = active_pairs();
+      pattern_pairs = element_pairs();
       pattern_pairs.erase(std::unique(pattern_pairs.begin(),
                                       pattern_pairs.end(),
                                       [](const auto &left, const auto &right) {
@@ -570,7 +392,7 @@ namespace Heddle
       std::array<double, 24>  direction, residual;
       std::array<double, 576> tangent;
       for (const Contact::ContactElement &element : contact_elements)
-        if (element.force > 0.)
+        if (element.force > 0. || system.wants_tangent())
           {
             locate(state, element, blocks, weights);
 
@@ -583,13 +405,10 @@ namespace Heddle
                 }
             if (system.wants_tangent())
               {
-                const double stiffness =
-                  element.weight * law(zones[element.zone].radius)
-                                     .stiffness(element.penalty, -element.gap);
+                const double k = stiffness(element);
                 for (unsigned int i = 0; i < 24; ++i)
                   for (unsigned int j = 0; j < 24; ++j)
-                    tangent[24 * i + j] =
-                      stiffness * direction[i] * direction[j];
+                    tangent[24 * i + j] = k * direction[i] * direction[j];
               }
             system.add(8, blocks, residual.data(), tangent.data());
           }
@@ -612,10 +431,7 @@ namespace Heddle
             for (unsigned int i = 0; i < 8; ++i)
               opening += weights[i] * (element.normal * increment[blocks[i]]);
             slope -= element.force * opening;
-            curvature += element.weight *
-                         law(zones[element.zone].radius)
-                           .stiffness(element.penalty, -element.gap) *
-                         opening * opening;
+            curvature += stiffness(element) * opening * opening;
           }
       return {slope, curvature};
     }
@@ -655,17 +471,7 @@ namespace Heddle
     bool
     FiberContact::adapt(const System::State &)
     {
-      bool changed = false;
-      for (Contact::ContactCell &cell : cells)
-        {
-          const Zone  &zone  = zones[cell.zone];
-          const double ratio = zone.penetration / (threshold * zone.radius);
-          if (ratio > 1. || (ratio > 0. && ratio < 0.3))
-            {
-              cell.penalty *= std::min(std::max(ratio / safety, 0.5), 4.);
-              changed = true;
-            }
-        }
+      const bool changed = cells.adapt(threshold);
       return Utilities::MPI::max(changed ? 1 : 0, space.communicator()) > 0;
     }
   } // namespace Contributions

@@ -1,6 +1,5 @@
 #include <heddle/contributions/fiber_contact.h>
 
-#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -55,8 +54,8 @@ namespace Heddle
     {
       Records records;
       records.n_key_parts = 5;
-      records.n_values    = 2;
-      for (const Contact::ContactCell &cell : cells)
+      records.n_values    = 3;
+      for (const Contact::ContactCell &cell : cells.cells())
         if (space.owns(cell.fiber_a))
           {
             records.keys.insert(records.keys.end(),
@@ -66,7 +65,7 @@ namespace Heddle
                                  cell.level,
                                  cell.number});
             records.values.insert(records.values.end(),
-                                  {cell.q_begin, cell.penalty});
+                                  {cell.q_begin, cell.q_end, cell.penalty});
           }
       archive.write(name() + "/cells", records);
     }
@@ -80,7 +79,7 @@ namespace Heddle
         name() + "/cells", [this](const std::int64_t *key) {
           return space.owns(key[0]) || space.owns(key[1]);
         });
-      cells.clear();
+      std::vector<Contact::ContactCell> saved;
       for (std::size_t i = 0; i < records.size(); ++i)
         {
           Contact::ContactCell cell = {};
@@ -90,10 +89,11 @@ namespace Heddle
           cell.level                = records.key(i)[3];
           cell.number               = records.key(i)[4];
           cell.q_begin              = records.value(i)[0];
-          cell.penalty              = records.value(i)[1];
-          cells.push_back(cell);
+          cell.q_end                = records.value(i)[1];
+          cell.penalty              = records.value(i)[2];
+          saved.push_back(cell);
         }
-      std::sort(cells.begin(), cells.end());
+      cells.set_cells(saved);
       searched = false;
     }
   } // namespace Contributions

@@ -15,6 +15,18 @@ namespace Heddle
         return parameters.direct(system.state.space.n_dofs()) ||
                (parameters.kind == "automatic" && !system.is_symmetric());
       }
+
+
+
+      /** Set an option of PETSc, unless the user has. */
+      void
+      set_default(const std::string &option, const std::string &value)
+      {
+        PetscBool set;
+        PetscOptionsHasName(nullptr, nullptr, option.c_str(), &set);
+        if (!set)
+          PetscOptionsSetValue(nullptr, option.c_str(), value.c_str());
+      }
     } // namespace
 
 
@@ -68,6 +80,10 @@ namespace Heddle
           KSPSetType(ksp, KSPPREONLY);
           PCSetType(pc, system.is_symmetric() ? PCCHOLESKY : PCLU);
           PCFactorSetMatSolverType(pc, MATSOLVERMUMPS);
+
+          // Pivoting needs more room than the analysis foresees, on many ranks
+          // above all: leave 200 percent.
+          set_default("-mat_mumps_icntl_14", "200");
         }
       else
         {

@@ -18,6 +18,9 @@ namespace Heddle
       /** Ratio of the residual above which damping is at its full strength. */
       constexpr double unsettled = 10.;
 
+      /** A line search ends where the slope is this part of the first one. */
+      constexpr double flat = 0.1;
+
       /** Prescribed motion that is below round-off, in radii. */
       constexpr double reached = 1e-9;
 
@@ -143,7 +146,7 @@ namespace Heddle
             return result;
 
           const bool calm = rough && result.increment < 0.2 &&
-                            residual.ratio < 0.3 && iteration >= adapted_at + 2;
+                            residual.ratio < 1. && iteration >= adapted_at + 4;
           if (calm || (balanced && still))
             {
               bool changed = false;
@@ -413,7 +416,7 @@ namespace Heddle
       double low = 0., slope_low = slope, high = largest;
       double slope_high = slope_at(high);
       for (unsigned int trial = 0;
-           trial < 6 && slope_high > 0.3 * std::abs(slope);
+           trial < 6 && slope_high > flat * std::abs(slope);
            ++trial)
         {
           const double guess =
@@ -422,7 +425,7 @@ namespace Heddle
             std::min(std::max(guess, low + 0.1 * (high - low)),
                      low + 0.7 * (high - low));
           const double slope_next = slope_at(next);
-          if (slope_next < -0.3 * std::abs(slope))
+          if (slope_next < -flat * std::abs(slope))
             {
               low       = next;
               slope_low = slope_next;

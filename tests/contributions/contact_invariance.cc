@@ -80,9 +80,9 @@ main(int argc, char **argv)
   double sum = 0.;
   for (const auto &force : forces)
     sum += force.norm();
-  deallog << "elements " << scene.reported("active_contact_elements[-]")
-          << ", sum of forces " << sum << ", energy " << scene.energy()
-          << std::endl;
+  const double energy = scene.energy();
+  deallog << std::setprecision(3) << "sum of forces " << sum << ", energy "
+          << energy << std::endl;
 
   double largest = 0.;
   for (unsigned int n = 0; n < 10; ++n)
@@ -103,7 +103,6 @@ main(int argc, char **argv)
   for (auto &force : turned_forces)
     force = transpose(turn) * force;
   largest = difference(forces, turned_forces);
-  std::cerr << largest << std::endl;
   deallog << "rigid motion: " << (largest < 1e-7 ? "the same" : "DIFFERENT")
           << std::endl;
 
@@ -116,7 +115,6 @@ main(int argc, char **argv)
     for (unsigned int b = 0; b < n; ++b)
       in_order[f * n + b] = from_last[(n_fibers - 1 - f) * n + b];
   largest = difference(forces, in_order);
-  std::cerr << largest << std::endl;
   deallog << "order of fibers: " << (largest < 1e-10 ? "the same" : "DIFFERENT")
           << std::endl;
 }

@@ -69,7 +69,6 @@ main(int argc, char **argv)
       elasticity->begin_step(scene.state);
       const auto result =
         newton.solve(scene.state, {elasticity, pull, contact});
-      std::cerr << screen.str();
 
       scene.forces();
       double pulled = 0.;

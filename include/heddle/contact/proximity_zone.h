@@ -28,7 +28,7 @@ namespace Heddle
       /** Range of p that its intervals cover. */
       double begin, end;
 
-      /** Mean sine of the angle between its intervals. */
+      /** Mean sine of the angle of the fibers where they are close. */
       double sine;
 
       /** A guess of q at @p p, from the closest pair of intervals there. */

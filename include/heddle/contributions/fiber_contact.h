@@ -1,13 +1,10 @@
 #ifndef heddle_contributions_fiber_contact_h
 #define heddle_contributions_fiber_contact_h
 
-#include <heddle/contact/contact_cell.h>
+#include <heddle/contact/contact_cells.h>
 #include <heddle/contact/contact_parameters.h>
-#include <heddle/contact/normal_law.h>
-#include <heddle/contact/proximity_zone.h>
 #include <heddle/system/contribution.h>
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -30,9 +27,6 @@ namespace Heddle
     class FiberContact : public System::Contribution
     {
     public:
-      /** Says whether two fibers can touch at all. */
-      using Filter = std::function<bool(unsigned int, unsigned int)>;
-
       FiberContact(const System::FiberSpace         &space,
                    const Contact::ContactParameters &parameters);
 
@@ -44,7 +38,7 @@ namespace Heddle
 
       /** From now on leave out pairs for which @p filter is false. */
       void
-      restrict_to(const Filter &filter);
+      restrict_to(const Contact::ContactCells::Filter &filter);
 
       /**
        * Every step begins with a search, so that what it finds depends on the
@@ -124,20 +118,13 @@ namespace Heddle
       /** Over all ranks, of the elements as last placed. */
       struct Statistics
       {
-        double n_elements      = 0.;
+        double n_elements      = 0.; /**< open ones included */
         double n_active        = 0.;
         double mean_force      = 0.; /**< of the active ones [N] */
         double deepest         = 0.; /**< largest penetration over radius [-] */
         double least_penalty   = 0.;
         double largest_penalty = 0.;
         double energy          = 0.; /**< [N mm] */
-      };
-
-      /** Deepest penetration in a zone and the threshold for it [mm]. */
-      struct Zone
-      {
-        double penetration;
-        double radius;
       };
 
       void
@@ -150,12 +137,6 @@ namespace Heddle
       search(System::State &state);
 
       void
-      cover_zone(const Contact::ProximityZone            &zone,
-                 const Contact::Curve                    &a,
-                 const Contact::Curve                    &b,
-                 const std::vector<Contact::ContactCell> &old_cells);
-
-      void
       place_elements();
 
       void
@@ -164,35 +145,13 @@ namespace Heddle
       double
       moved_since_search(const System::State &state) const;
 
-      Contact::Curve
-      curve(const unsigned int f) const;
-
-      Contact::IntermediateGeometry
-      geometry(const Contact::ContactCell &cell) const;
-
-      /** Size of the whole cells of two fibers in the coordinate p [mm]. */
-      double
-      whole_cell(const unsigned int a, const unsigned int b) const;
-
-      /** Range of p that a cell covers. */
-      std::pair<double, double>
-      range(const Contact::ContactCell          &cell,
-            const Contact::IntermediateGeometry &between) const;
-
-      /** Penalty that the cell had among @p old_cells, or 0. */
-      double
-      old_penalty(const Contact::ContactCell              &cell,
-                  const std::vector<Contact::ContactCell> &old_cells) const;
-
-      /** Penalty to begin with: line contact of two elastic cylinders. */
+      /** Line contact of two elastic cylinders, parallel [N/mm^2]. */
       double
       first_penalty(const unsigned int a, const unsigned int b) const;
 
-      Contact::NormalLaw
-      law(const double radius) const
-      {
-        return {0.5 * threshold * radius};
-      }
+      /** Derivative of an element's force by its penetration [N/mm]. */
+      double
+      stiffness(const Contact::ContactElement &element) const;
 
       /** Local blocks of the particles of an element and their weights. */
       void
@@ -204,22 +163,22 @@ namespace Heddle
       const System::FiberSpace         &space;
       const Contact::ContactParameters &parameters;
       double                            threshold;
-      double                            largest_radius = 0.;
-      Filter                            filter;
+      const double                      largest_radius;
+      Contact::ContactCells::Filter     filter;
 
       bool                                 searched = false;
       std::vector<Tensor<1, 3>>            searched_at;
       std::vector<unsigned int>            first_knot;
       std::vector<Tensor<1, 3>>            knot_positions, knot_tangents;
-      std::vector<Contact::ContactCell>    cells;
-      std::vector<Zone>                    zones;
+      Contact::CurveList                   curves;
+      Contact::ContactCells                cells;
       std::vector<Contact::ContactElement> contact_elements;
       Statistics                           statistics;
 
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;
       std::vector<Contact::CandidatePair>
-      active_pairs() const;
+      element_pairs() const;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -27,7 +27,7 @@ namespace Heddle
       double       residual_tolerance  = 1e-5;
       double       increment_tolerance = 1e-3;
       unsigned int max_iterations      = 60;
-      double       damping             = 3e-3;
+      double       damping             = 3e-4;
     };
 
     /** The contributions of a scene, in the order of assembly. */

@@ -1,0 +1,158 @@
+#ifndef heddle_contact_contact_cells_h
+#define heddle_contact_contact_cells_h
+
+#include <heddle/contact/broad_phase.h>
+#include <heddle/contact/contact_cell.h>
+#include <heddle/contact/normal_law.h>
+#include <heddle/contact/proximity_zone.h>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    /** The curves of all fibers that a rank knows, found by fiber number. */
+    class CurveList
+    {
+    public:
+      /** Begin a list for fibers 0 to @p n_fibers - 1. */
+      void
+      reset(const unsigned int n_fibers);
+
+      void
+      add(const NumberedCurve &curve);
+
+      const Curve &
+      operator[](const unsigned int fiber) const
+      {
+        return curves[position[fiber]].curve;
+      }
+
+      const std::vector<NumberedCurve> &
+      all() const
+      {
+        return curves;
+      }
+
+    private:
+      std::vector<NumberedCurve> curves;
+      std::vector<unsigned int>  position;
+    };
+
+
+
+    /**
+     * The discretisation of all intermediate geometries: proximity zones, the
+     * cells that cover them, and the penalty of each cell. It outlives the
+     * configuration: elements are placed anew in the same cells, and a new
+     * search hands the penalties on.
+     */
+    class ContactCells
+    {
+    public:
+      /** Says whether two fibers can touch at all. */
+      using Filter = std::function<bool(unsigned int, unsigned int)>;
+
+      /** Penalty to begin with, of two fibers [N/mm^2]. */
+      using FirstPenalty = std::function<double(unsigned int, unsigned int)>;
+
+      /** A zone as elements were last placed in it. */
+      struct Zone
+      {
+        double penetration; /**< the deepest, 0 if the fibers are apart [mm] */
+        double radius;      /**< the smaller one [mm] */
+      };
+
+      /**
+       * Watch surfaces closer than @p search_distance [mm]. A cell is as long
+       * as an interval between nodes over @p refinement.
+       */
+      ContactCells(const double        search_distance,
+                   const double        refinement,
+                   const FirstPenalty &first_penalty);
+
+      /** Find zones and cover them with cells. */
+      void
+      search(const CurveList &curves, const Filter &filter);
+
+      /**
+       * Append the elements of all cells to @p elements, with forces by the law
+       * that becomes linear at half of @p threshold times the radius. Surfaces
+       * closer than @p near times the radius make open elements.
+       */
+      void
+      place_elements(const CurveList             &curves,
+                     const double                 threshold,
+                     const double                 near,
+                     std::vector<ContactElement> &elements);
+
+      /**
+       * Raise the penalties of the zones whose deepest penetration exceeds
+       * @p threshold times the radius. Return whether there was one.
+       */
+      bool
+      adapt(const double threshold);
+
+      const std::vector<Zone> &
+      zones() const
+      {
+        return all_zones;
+      }
+
+      const std::vector<ContactCell> &
+      cells() const
+      {
+        return all_cells;
+      }
+
+      /** Law of a zone at this threshold. */
+      NormalLaw
+      law(const unsigned int zone, const double threshold) const
+      {
+        return {0.5 * threshold * all_zones[zone].radius};
+      }
+
+      /** Set the penalties from which the next search hands on [N/mm^2]. */
+      void
+      set_cells(const std::vector<ContactCell> &cells);
+
+    private:
+      IntermediateGeometry
+      geometry(const CurveList &curves, const ContactCell &cell) const;
+
+      /** Size of the whole cells of two fibers in the coordinate p [mm]. */
+      double
+      whole_cell(const Curve &a, const Curve &b) const;
+
+      /** Range of p that a cell covers. */
+      std::pair<double, double>
+      range(const ContactCell &cell, const IntermediateGeometry &between) const;
+
+      void
+      cover_zone(const CurveList                &curves,
+                 const ProximityZone            &zone,
+                 const std::vector<ContactCell> &old_cells);
+
+      /** Whether the cell is there already, from another zone of the pair. */
+      bool
+      is_covered(const ContactCell &cell, const double size) const;
+
+      /** Penalty that the cell had among @p old_cells, or 0. */
+      double
+      old_penalty(const ContactCell              &cell,
+                  const double                    whole,
+                  const std::vector<ContactCell> &old_cells) const;
+
+      const double             search_distance;
+      const double             refinement;
+      const FirstPenalty       first_penalty;
+      std::vector<Zone>        all_zones;
+      std::vector<ContactCell> all_cells;
+    };
+  } // namespace Contact
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef heddle_contributions_section_damping_h
+#define heddle_contributions_section_damping_h
+
+#include <heddle/system/contribution.h>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /**
+     * Holds the section vectors of fibers back in each iteration, without a
+     * force: a term of the tangent alone. Nothing resists the spin of a fiber
+     * about its axis where no moment acts on it, and the tangent is singular;
+     * an arbitrary spin, taken as the linear step that it is, would stretch the
+     * sections beyond repair.
+     */
+    class SectionDamping : public System::Contribution
+    {
+    public:
+      std::string
+      name() const override
+      {
+        return "section damping";
+      }
+
+      void
+      add_pattern(const System::State &,
+                  System::BlockSystem::Pattern &) override
+      {
+      }
+
+      void
+      assemble(const System::State &state,
+               System::BlockSystem &system) override;
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

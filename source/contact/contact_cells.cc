@@ -1,0 +1,330 @@
+#include <heddle/contact/contact_cells.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    namespace
+    {
+      /** A penalty aims below the threshold, lest it has to be raised again. */
+      constexpr double safety = 0.75;
+
+      /** Largest factor by which a penalty grows at once. */
+      constexpr double largest_growth = 4.;
+
+      /**
+       * Fibers at an angle touch over a small part of the length over which
+       * parallel ones do, and carry as much: their first penalty is so many
+       * times larger.
+       */
+      constexpr double crossing_factor = 10.;
+
+
+
+      /** The middle of a cell, and the particles that face each other there. */
+      struct CellPlace
+      {
+        double size, p, q, s_a, s_b; /**< [mm] */
+      };
+
+
+
+      CellPlace
+      place_of(const ContactCell &cell, const double whole)
+      {
+        const double size = std::ldexp(whole, -int(cell.level));
+        const double p    = (cell.number + 0.5) * size;
+        const double q    = 0.5 * (cell.q_begin + cell.q_end);
+        return {size, p, q, 0.5 * (p + q), 0.5 * cell.orientation * (p - q)};
+      }
+    } // namespace
+
+
+
+    void
+    CurveList::reset(const unsigned int n_fibers)
+    {
+      curves.clear();
+      position.assign(n_fibers, 0);
+    }
+
+
+
+    void
+    CurveList::add(const NumberedCurve &curve)
+    {
+      position[curve.fiber] = curves.size();
+      curves.emplace_back(curve);
+    }
+
+
+
+    ContactCells::ContactCells(const double        search_distance,
+                               const double        refinement,
+                               const FirstPenalty &first_penalty)
+      : search_distance(search_distance)
+      , refinement(refinement)
+      , first_penalty(first_penalty)
+    {
+    }
+
+
+
+    void
+    ContactCells::set_cells(const std::vector<ContactCell> &cells)
+    {
+      all_cells = cells;
+      std::sort(all_cells.begin(), all_cells.end());
+    }
+
+
+
+    IntermediateGeometry
+    ContactCells::geometry(const CurveList   &curves,
+                           const ContactCell &cell) const
+    {
+      const Curve &a = curves[cell.fiber_a];
+      return IntermediateGeometry(
+        a,
+        curves[cell.fiber_b],
+        cell.orientation,
+        cell.fiber_a == cell.fiber_b ? least_self_separation(a) : 0.);
+    }
+
+
+
+    double
+    ContactCells::whole_cell(const Curve &a, const Curve &b) const
+    {
+      // Two mean intervals, halved, doubled: p is twice an arc length.
+      return (a.length() / (a.n_knots - 1) + b.length() / (b.n_knots - 1)) /
+             refinement;
+    }
+
+
+
+    std::pair<double, double>
+    ContactCells::range(const ContactCell          &cell,
+                        const IntermediateGeometry &between) const
+    {
+      const double size =
+        std::ldexp(whole_cell(between.a, between.b), -int(cell.level));
+      const auto whole = between.range();
+      return {std::max(cell.number * size, whole.first),
+              std::min((cell.number + 1) * size, whole.second)};
+    }
+
+
+
+    void
+    ContactCells::search(const CurveList &curves, const Filter &filter)
+    {
+      const std::vector<CandidatePair> candidates =
+        find_candidates(curves.all(), search_distance);
+
+      std::vector<ContactCell> old_cells;
+      old_cells.swap(all_cells);
+      all_zones.clear();
+      for (auto first = candidates.begin(); first != candidates.end();)
+        {
+          auto last = first;
+          while (last != candidates.end() && last->fiber_a == first->fiber_a &&
+                 last->fiber_b == first->fiber_b)
+            ++last;
+          if (filter(first->fiber_a, first->fiber_b))
+            for (const ProximityZone &zone :
+                 find_zones(&*first,
+                            &*first + (last - first),
+                            curves[first->fiber_a],
+                            curves[first->fiber_b]))
+              cover_zone(curves, zone, old_cells);
+          first = last;
+        }
+      std::sort(all_cells.begin(), all_cells.end());
+    }
+
+
+
+    void
+    ContactCells::cover_zone(const CurveList                &curves,
+                             const ProximityZone            &zone,
+                             const std::vector<ContactCell> &old_cells)
+    {
+      ContactCell cell                   = {};
+      cell.fiber_a                       = zone.fiber_a;
+      cell.fiber_b                       = zone.fiber_b;
+      cell.orientation                   = zone.orientation;
+      cell.zone                          = all_zones.size();
+      const IntermediateGeometry between = geometry(curves, cell);
+      const Curve               &a = between.a, &b = between.b;
+
+      // Across one cell the fibers part by no more than about a radius.
+      const double whole  = whole_cell(a, b);
+      const double radius = std::min(a.radius, b.radius);
+      while (std::ldexp(0.5 * whole * zone.sine, -int(cell.level)) > radius)
+        ++cell.level;
+      const double size = std::ldexp(whole, -int(cell.level));
+
+      const double begin = std::max(zone.begin, between.range().first);
+      const double end   = std::min(zone.end, between.range().second);
+      if (begin >= end)
+        return;
+      all_zones.push_back({0., radius});
+
+      // The distance changes by no more than p.
+      const double reach = a.radius + b.radius + search_distance + 0.5 * size;
+      const auto   first_of_zone = all_cells.size();
+      double       known_penalty = 0.;
+      for (cell.number = std::floor(begin / size); cell.number * size < end;
+           ++cell.number)
+        {
+          const auto   p      = range(cell, between);
+          const double middle = 0.5 * (p.first + p.second);
+          double       q      = zone.guess(middle);
+          if (between.facing(middle, q).squared_distance > reach * reach)
+            continue;
+          cell.q_begin = cell.q_end = q;
+          between.facing(p.first, cell.q_begin);
+          between.facing(p.second, cell.q_end);
+          if (is_covered(cell, size))
+            continue;
+          cell.penalty  = old_penalty(cell, whole, old_cells);
+          known_penalty = std::max(known_penalty, cell.penalty);
+          all_cells.push_back(cell);
+        }
+
+      // A zone that grew is as stiff in its new cells as in its old ones.
+      if (known_penalty == 0.)
+        known_penalty = first_penalty(zone.fiber_a, zone.fiber_b) *
+                        (cell.level > 0 ? crossing_factor : 1.);
+      for (auto k = first_of_zone; k < all_cells.size(); ++k)
+        if (all_cells[k].penalty == 0.)
+          all_cells[k].penalty = known_penalty;
+    }
+
+
+
+    bool
+    ContactCells::is_covered(const ContactCell &cell, const double size) const
+    {
+      for (auto other = all_cells.rbegin();
+           other != all_cells.rend() && other->fiber_a == cell.fiber_a &&
+           other->fiber_b == cell.fiber_b;
+           ++other)
+        if (other->zone != cell.zone && other->number == cell.number &&
+            other->level == cell.level &&
+            other->orientation == cell.orientation &&
+            std::abs(other->q_begin - cell.q_begin) < size)
+          return true;
+      return false;
+    }
+
+
+
+    double
+    ContactCells::old_penalty(const ContactCell              &cell,
+                              const double                    whole,
+                              const std::vector<ContactCell> &old_cells) const
+    {
+      // The cell itself, one of another level that covers its middle, or, where
+      // the fibers turned through a right angle, one of the other orientation
+      // between the same particles.
+      ContactCell low  = cell;
+      low.orientation  = -2;
+      const auto place = [whole](const ContactCell &any) {
+        return place_of(any, whole);
+      };
+      const CellPlace here    = place(cell);
+      double          penalty = 0.;
+      for (auto old = std::lower_bound(old_cells.begin(), old_cells.end(), low);
+           old != old_cells.end() && old->fiber_a == cell.fiber_a &&
+           old->fiber_b == cell.fiber_b;
+           ++old)
+        {
+          const CellPlace there = place(*old);
+          const double    close = 0.3 * (there.size + here.size);
+          const bool      same =
+            old->orientation == cell.orientation
+                   ? std::abs(there.p - here.p) < 0.51 * there.size &&
+                  std::abs(there.q - here.q) < whole
+                   : std::abs(there.s_a - here.s_a) < close &&
+                  std::abs(there.s_b - here.s_b) < close;
+          if (same)
+            penalty = std::max(penalty, old->penalty);
+        }
+      return penalty;
+    }
+
+
+
+    void
+    ContactCells::place_elements(const CurveList             &curves,
+                                 const double                 threshold,
+                                 const double                 near,
+                                 std::vector<ContactElement> &elements)
+    {
+      for (Zone &zone : all_zones)
+        zone.penetration = 0.;
+
+      CellEnd end = {};
+      for (unsigned int c = 0; c < all_cells.size(); ++c)
+        {
+          const ContactCell         &cell    = all_cells[c];
+          const IntermediateGeometry between = geometry(curves, cell);
+          const auto                 p       = range(cell, between);
+
+          // Neighbouring cells share their ends.
+          const bool continues = c > 0 && all_cells[c - 1].zone == cell.zone &&
+                                 all_cells[c - 1].number + 1 == cell.number;
+          const CellEnd begin =
+            continues ? end : cell_end(between, p.first, cell.q_begin);
+          end = cell_end(between, p.second, cell.q_end);
+
+          Zone        &zone        = all_zones[cell.zone];
+          const auto   first       = elements.size();
+          const double penetration = place_in_cell(between,
+                                                   begin,
+                                                   end,
+                                                   cell.level > 0 ? 4 : 2,
+                                                   near * zone.radius,
+                                                   elements);
+          zone.penetration         = std::max(zone.penetration, penetration);
+          for (auto k = first; k < elements.size(); ++k)
+            {
+              ContactElement &element = elements[k];
+              element.fiber_a         = cell.fiber_a;
+              element.fiber_b         = cell.fiber_b;
+              element.zone            = cell.zone;
+              element.penalty         = cell.penalty;
+              element.force =
+                element.gap < 0.
+                  ? element.weight * law(cell.zone, threshold)
+                                       .pressure(cell.penalty, -element.gap)
+                  : 0.;
+            }
+        }
+    }
+
+
+
+    bool
+    ContactCells::adapt(const double threshold)
+    {
+      bool changed = false;
+      for (ContactCell &cell : all_cells)
+        {
+          const Zone  &zone  = all_zones[cell.zone];
+          const double ratio = zone.penetration / (threshold * zone.radius);
+          if (ratio > 1.)
+            {
+              cell.penalty *= std::min(ratio / safety, largest_growth);
+              changed = true;
+            }
+        }
+      return changed;
+    }
+  } // namespace Contact
+} // namespace Heddle

@@ -1,0 +1,340 @@
+#include <heddle/base/reduce.h>
+#include <heddle/contributions/crossing_enforcement.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    namespace
+    {
+      /** Where the normal law becomes linear, in radii. */
+      constexpr double transition = 0.05;
+
+      /** Largest c: two fibers that both climb by 45 degrees. */
+      const double steepest = std::sqrt(3.);
+
+      /** What overlaps less than this is apart, however far it is [mm]. */
+      constexpr double apart = -std::numeric_limits<double>::max();
+
+
+
+      bool
+      equal(const Contact::CandidatePair &left,
+            const Contact::CandidatePair &right)
+      {
+        return !(left < right) && !(right < left);
+      }
+    } // namespace
+
+
+
+    CrossingEnforcement::CrossingEnforcement(
+      const System::FiberSpace        &space,
+      const std::vector<OrderedYarns> &crossings)
+      : space(space)
+    {
+      for (const OrderedYarns &yarns : crossings)
+        enforced_yarns.emplace_back(yarns.upper, yarns.lower);
+      std::sort(enforced_yarns.begin(), enforced_yarns.end());
+
+      for (unsigned int i = 0; i < space.n_fibers(); ++i)
+        for (unsigned int j = 0; j < space.n_fibers(); ++j)
+          if ((space.owns(i) || space.owns(j)) && puts_above(i, j))
+            pairs.push_back({i, j, {}, 1.});
+    }
+
+
+
+    bool
+    CrossingEnforcement::enforces(const unsigned int a,
+                                  const unsigned int b) const
+    {
+      return puts_above(a, b) || puts_above(b, a);
+    }
+
+
+
+    bool
+    CrossingEnforcement::puts_above(const unsigned int a,
+                                    const unsigned int b) const
+    {
+      return std::binary_search(
+        enforced_yarns.begin(),
+        enforced_yarns.end(),
+        std::make_pair(space.fiber(a).yarn_id, space.fiber(b).yarn_id));
+    }
+
+
+
+    double
+    CrossingEnforcement::largest_overlap(System::State &state)
+    {
+      update_curves(state);
+      double largest = apart;
+      for (Pair &pair : pairs)
+        largest = std::max(largest, overlap(state, pair));
+      return Utilities::MPI::max(largest, space.communicator());
+    }
+
+
+
+    void
+    CrossingEnforcement::begin_step(System::State &state)
+    {
+      update_curves(state);
+      for (Pair &pair : pairs)
+        if (overlap(state, pair) > apart)
+          pair.climb = std::min(pair.crossing.normal.norm(), steepest);
+    }
+
+
+
+    void
+    CrossingEnforcement::update(System::State &state)
+    {
+      place_elements(state);
+      gather_statistics();
+    }
+
+
+
+    void
+    CrossingEnforcement::update_curves(const System::State &state)
+    {
+      first_knot.assign(space.n_fibers(), 0);
+      unsigned int n_knots = 0;
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        if (state.has(f))
+          {
+            first_knot[f] = n_knots;
+            n_knots += space.fiber(f).n_nodes;
+          }
+      knot_positions.resize(n_knots);
+      knot_tangents.resize(n_knots);
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        if (state.has(f))
+          space.centerline_knots(f,
+                                 state.fiber(f),
+                                 knot_positions.data() + first_knot[f],
+                                 knot_tangents.data() + first_knot[f]);
+    }
+
+
+
+    Contact::Curve
+    CrossingEnforcement::curve(const unsigned int f) const
+    {
+      return Contact::Curve(space.fiber(f).n_nodes,
+                            space.node_positions(f),
+                            knot_positions.data() + first_knot[f],
+                            knot_tangents.data() + first_knot[f],
+                            space.fiber(f).radius);
+    }
+
+
+
+    double
+    CrossingEnforcement::overlap(const System::State &state, Pair &pair) const
+    {
+      if (!state.has(pair.upper) || !state.has(pair.lower) ||
+          !Contact::find_projected_crossing(
+            curve(pair.upper), curve(pair.lower), pair.crossing))
+        return apart;
+      return pair.climb * (space.fiber(pair.upper).radius +
+                           space.fiber(pair.lower).radius) -
+             pair.crossing.height;
+    }
+
+
+
+    void
+    CrossingEnforcement::place_elements(const System::State &state)
+    {
+      update_curves(state);
+      elements.clear();
+      for (Pair &pair : pairs)
+        {
+          const double penetration = overlap(state, pair) - allowance;
+          if (penetration > 0.)
+            elements.push_back(make_element(state, pair, penetration));
+        }
+    }
+
+
+
+    CrossingEnforcement::Element
+    CrossingEnforcement::make_element(const System::State &state,
+                                      const Pair          &pair,
+                                      const double         penetration) const
+    {
+      Element                           element;
+      const Contact::ProjectedCrossing &crossing = pair.crossing;
+      const System::Fiber              &upper    = space.fiber(pair.upper);
+      const System::Fiber              &lower    = space.fiber(pair.lower);
+      const System::MaterialPoint       on_upper =
+        space.locate(pair.upper, crossing.s_a);
+      const System::MaterialPoint on_lower =
+        space.locate(pair.lower, crossing.s_b);
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          element.blocks[i] =
+            state.local_block(pair.upper) + on_upper.blocks[i];
+          element.blocks[4 + i] =
+            state.local_block(pair.lower) + on_lower.blocks[i];
+          element.direction[i]     = on_upper.values[i] * crossing.normal;
+          element.direction[4 + i] = -on_lower.values[i] * crossing.normal;
+        }
+      element.intervals = {pair.upper,
+                           pair.lower,
+                           space.interval(pair.upper, crossing.s_a),
+                           space.interval(pair.lower, crossing.s_b)};
+      element.own       = space.owns(pair.upper);
+
+      // Line contact of two elastic cylinders, as long as they are wide.
+      const auto compliance = [](const System::Fiber &fiber) {
+        return numbers::PI * fiber.radius * fiber.radius / fiber.section.axial;
+      };
+      element.penetration = penetration;
+      element.penalty     = numbers::PI / 4. * (upper.radius + lower.radius) /
+                        (compliance(upper) + compliance(lower));
+      element.law = {transition * std::min(upper.radius, lower.radius)};
+      return element;
+    }
+
+
+
+    void
+    CrossingEnforcement::gather_statistics()
+    {
+      std::array<double, 3> sums    = {};
+      std::array<double, 1> largest = {};
+      for (const Element &element : elements)
+        if (element.own)
+          {
+            sums[0] += 1.;
+            sums[1] += element.force();
+            sums[2] += element.law.energy(element.penalty, element.penetration);
+            largest[0] = std::max(largest[0],
+                                  element.penetration * transition /
+                                    element.law.transition);
+          }
+      sum_over_ranks(sums, space.communicator());
+      max_over_ranks(largest, space.communicator());
+      n_overlapping = sums[0];
+      mean_force    = n_overlapping > 0. ? sums[1] / n_overlapping : 0.;
+      energy        = sums[2];
+      deepest       = largest[0];
+    }
+
+
+
+    std::vector<Contact::CandidatePair>
+    CrossingEnforcement::intervals() const
+    {
+      std::vector<Contact::CandidatePair> result;
+      for (const Element &element : elements)
+        result.push_back(element.intervals);
+      std::sort(result.begin(), result.end());
+      result.erase(std::unique(result.begin(), result.end(), equal),
+                   result.end());
+      return result;
+    }
+
+
+
+    bool
+    CrossingEnforcement::needs_new_pattern() const
+    {
+      const std::vector<Contact::CandidatePair> needed = intervals();
+      return !std::includes(pattern_intervals.begin(),
+                            pattern_intervals.end(),
+                            needed.begin(),
+                            needed.end());
+    }
+
+
+
+    void
+    CrossingEnforcement::add_pattern(const System::State &,
+                                     System::BlockSystem::Pattern &pattern)
+    {
+      pattern_intervals = intervals();
+      for (const Element &element : elements)
+        pattern.couple(8, element.blocks.data());
+    }
+
+
+
+    void
+    CrossingEnforcement::assemble(const System::State &,
+                                  System::BlockSystem &system)
+    {
+      std::array<double, 24>  direction, residual;
+      std::array<double, 576> tangent;
+      for (const Element &element : elements)
+        {
+          for (unsigned int i = 0; i < 24; ++i)
+            {
+              direction[i] = element.direction[i / 3][i % 3];
+              residual[i]  = -element.force() * direction[i];
+            }
+          for (unsigned int i = 0; i < 24 && system.wants_tangent(); ++i)
+            for (unsigned int j = 0; j < 24; ++j)
+              tangent[24 * i + j] =
+                element.stiffness() * direction[i] * direction[j];
+          system.add(8, element.blocks.data(), residual.data(), tangent.data());
+        }
+    }
+
+
+
+    std::pair<double, double>
+    CrossingEnforcement::slope_and_curvature(
+      const System::State &,
+      const System::Increment &increment) const
+    {
+      double slope = 0., curvature = 0.;
+      for (const Element &element : elements)
+        if (element.own)
+          {
+            double opening = 0.;
+            for (unsigned int i = 0; i < 8; ++i)
+              opening += element.direction[i] * increment[element.blocks[i]];
+            slope -= element.force() * opening;
+            curvature += element.stiffness() * opening * opening;
+          }
+      return {slope, curvature};
+    }
+
+
+
+    std::string
+    CrossingEnforcement::status() const
+    {
+      std::ostringstream text;
+      text << "enforced " << static_cast<unsigned long>(n_overlapping)
+           << std::scientific << std::setprecision(1) << " by " << deepest;
+      return text.str();
+    }
+
+
+
+    void
+    CrossingEnforcement::report(const System::State &,
+                                std::map<std::string, double> &values) const
+    {
+      values["enforced_crossings[-]"]             = n_overlapping;
+      values["max_enforced_penetration_ratio[-]"] = deepest;
+      values["enforcement_energy[N*mm]"]          = energy;
+    }
+  } // namespace Contributions
+} // namespace Heddle

@@ -1,0 +1,164 @@
+#include <heddle/contributions/section_damping.h>
+#include <heddle/simulation/ordering_stage.h>
+
+#include <algorithm>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** Overlap with which ordinary contact can begin, over the radius. */
+      constexpr double left_over = 0.3;
+
+
+
+      double
+      smallest_radius(const System::FiberSpace &space)
+      {
+        double radius = space.fiber(0).radius;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          radius = std::min(radius, space.fiber(f).radius);
+        return radius;
+      }
+
+
+
+      void
+      count(const Solver::NewtonResult &solved, OrderingResult &result)
+      {
+        result.newton_iterations += solved.iterations;
+        result.factorizations += solved.factorizations;
+        result.linear_iterations += solved.linear_iterations;
+      }
+    } // namespace
+
+
+
+    OrderingParameters::OrderingParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      add_parameter("Ordering steps",
+                    n_steps,
+                    "In how many steps yarns that run through each other are "
+                    "brought onto their sides, at least 1. Inactive unless "
+                    "Weave/Start is 'interpenetrating' [-].",
+                    prm,
+                    Patterns::Integer(1));
+      add_parameter("Iterations per step",
+                    iterations,
+                    "Newton iterations in each of these steps, at least 1. "
+                    "Inactive like the steps [-].",
+                    prm,
+                    Patterns::Integer(1));
+      add_parameter("Clearance",
+                    clearance,
+                    "Height that is enforced between fibers that cross, beyond "
+                    "that at which they touch, over the smallest radius. "
+                    "Inactive like the steps [-].",
+                    prm,
+                    Patterns::Double(0., 10.));
+      add_parameter("Damping",
+                    damping,
+                    "Stiffness per length that holds nodes back meanwhile, in "
+                    "units of E A / R^2. Inactive like the steps [-].",
+                    prm,
+                    Patterns::Double(0.));
+    }
+
+
+
+    OrderingStage::OrderingStage(
+      const OrderingParameters             &parameters,
+      const Solver::LinearSolverParameters &linear_parameters,
+      Log                                  &log,
+      SectionTimer                         &timer,
+      StopRequest                          &stop)
+      : parameters(parameters)
+      , linear_parameters(linear_parameters)
+      , log(log)
+      , timer(timer)
+      , stop(stop)
+    {
+    }
+
+
+
+    OrderingResult
+    OrderingStage::run(
+      System::State                                      &state,
+      const Solver::Contributions                        &others,
+      const std::shared_ptr<Contributions::FiberContact> &contact,
+      const std::vector<Contributions::OrderedYarns>     &crossings,
+      const std::function<void(unsigned int)>            &after_step)
+    {
+      const auto enforcement =
+        std::make_shared<Contributions::CrossingEnforcement>(state.space,
+                                                             crossings);
+      contact->restrict_to([enforcement](unsigned int a, unsigned int b) {
+        return !enforcement->enforces(a, b);
+      });
+      contact->update(state);
+
+      // Contact chooses the ghosts, so it comes before the enforcement.
+      Solver::Contributions contributions = others;
+      contributions.push_back(
+        std::make_shared<Contributions::SectionDamping>());
+      contributions.push_back(contact);
+      contributions.push_back(enforcement);
+      const OrderingResult result =
+        lower_allowance(state, contributions, *enforcement, after_step);
+
+      contact->restrict_to([](unsigned int, unsigned int) { return true; });
+      state.accept();
+      return result;
+    }
+
+
+
+    OrderingResult
+    OrderingStage::lower_allowance(
+      System::State                           &state,
+      const Solver::Contributions             &contributions,
+      Contributions::CrossingEnforcement      &enforcement,
+      const std::function<void(unsigned int)> &after_step)
+    {
+      Solver::NewtonParameters newton_parameters(parameters.get_section_name() +
+                                                 "/Newton");
+      newton_parameters.max_iterations = parameters.iterations;
+      newton_parameters.damping        = parameters.damping;
+      Solver::Newton newton(newton_parameters,
+                            linear_parameters,
+                            state.space.communicator(),
+                            log,
+                            timer,
+                            stop);
+
+      // Steps beyond the last hold what they have until the fibers followed.
+      const double   radius  = smallest_radius(state.space);
+      const double   first   = enforcement.largest_overlap(state);
+      const double   last    = -parameters.clearance * radius;
+      double         overlap = first;
+      OrderingResult result;
+      while (
+        result.steps < parameters.n_steps ||
+        (overlap > left_over * radius && result.steps < 2 * parameters.n_steps))
+        {
+          ++result.steps;
+          const double progress =
+            std::min(1., double(result.steps) / parameters.n_steps);
+          enforcement.set_allowance(first + progress * (last - first));
+          for (const auto &contribution : contributions)
+            contribution->begin_step(state);
+          count(newton.solve(state, contributions), result);
+          result.most_active =
+            std::max(result.most_active, enforcement.n_active());
+          overlap                = enforcement.largest_overlap(state);
+          result.least_clearance = -overlap / radius;
+          after_step(result.steps);
+        }
+      return result;
+    }
+  } // namespace Simulation
+} // namespace Heddle
