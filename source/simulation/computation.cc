@@ -29,6 +29,7 @@ namespace Heddle
       , recorder(recorder)
       , log(log)
       , timer(timer)
+      , stop(stop)
       , newton(parameters.newton,
                parameters.linear_solver,
                scene.space().communicator(),
@@ -134,7 +135,8 @@ namespace Heddle
           << state.load_factor << std::endl;
       show_status(stage, state.load_factor);
       stage.set_up(state.load_factor);
-      return equilibrate(stage.contributions);
+      return stage.solve ? stage.solve(log, timer, stop)
+                         : equilibrate(stage.contributions);
     }
 
 
@@ -185,9 +187,11 @@ namespace Heddle
       for (const auto &contribution : stage.contributions)
         contribution->accept_step(scene.state());
       ++place.number;
-      log << "  converged after " << result.iterations
-          << " iterations, residual " << std::scientific << std::setprecision(1)
-          << result.residual_ratio << std::endl;
+      log << "  converged after " << result.iterations << " iterations";
+      if (!std::isnan(result.residual_ratio))
+        log << ", residual " << std::scientific << std::setprecision(1)
+            << result.residual_ratio;
+      log << std::endl;
       recorder.add_step(place, result);
     }
 

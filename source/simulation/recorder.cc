@@ -6,7 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <set>
+#include <limits>
 #include <sstream>
 
 namespace Heddle
@@ -194,10 +194,13 @@ namespace Heddle
     void
     Recorder::begin_stage(const unsigned int stage)
     {
+      const double nan = std::numeric_limits<double>::quiet_NaN();
       if (stage == summary.stages.size())
         {
           summary.stages.emplace_back();
           summary.stages.back().name = scene.stages()[stage].name;
+          if (!parameters.run.timing)
+            summary.stages.back().wall_time = {nan, nan, nan, nan, nan};
         }
       earlier  = summary.stages.back().wall_time;
       at_begin = {timer.total(),

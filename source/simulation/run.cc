@@ -94,6 +94,8 @@ namespace Heddle
 
       const std::string directory =
         output_directory(command_line, parameters.run);
+      if (command_line.resume)
+        IO::Checkpoint::last(directory);
       create_folder(directory);
       log.open(directory + "/log.txt",
                command_line.resume ? std::ios_base::app : std::ios_base::out);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Heddle
 {
@@ -27,7 +28,12 @@ namespace Heddle
 
       make_contributions();
       if (fabric)
-        add_settle_stage();
+        {
+          if (parameters.weave.description().start ==
+              Textile::Start::interpenetrating)
+            add_order_stage();
+          add_settle_stage();
+        }
       else
         add_load_stage();
     }
@@ -62,6 +68,8 @@ namespace Heddle
       if (parameters.contact.enabled && fibers_can_touch())
         fiber_contact = std::make_shared<Contributions::FiberContact>(
           *fiber_space, parameters.contact);
+      if (fabric)
+        guides = yarn_guides(*fiber_space, paths, parameters.settle);
     }
 
 
@@ -78,12 +86,47 @@ namespace Heddle
 
 
     void
+    Scene::add_order_stage()
+    {
+      require(fiber_contact != nullptr,
+              "Contact/Enabled is false, but yarns that start "
+              "'interpenetrating' are ordered by contact: enable it.");
+      std::vector<Contributions::OrderedYarns> yarns;
+      for (const Textile::Crossing &crossing : fabric->crossings())
+        if (crossing.warp_on_top)
+          yarns.push_back({crossing.warp_yarn, crossing.weft_yarn});
+        else
+          yarns.push_back({crossing.weft_yarn, crossing.warp_yarn});
+
+      Stage stage;
+      stage.name          = "order";
+      stage.contributions = {fiber_elasticity, guides, fiber_contact};
+      stage.solve         = [this,
+                     yarns](Log &log, SectionTimer &timer, StopRequest &stop) {
+        OrderingStage ordering(
+          parameters.ordering, parameters.linear_solver, log, timer, stop);
+        const OrderingResult ordered = ordering.run(
+          state(), {fiber_elasticity, guides}, fiber_contact, yarns);
+        Solver::NewtonResult result;
+        result.iterations        = ordered.newton_iterations;
+        result.factorizations    = ordered.factorizations;
+        result.linear_iterations = ordered.linear_iterations;
+        result.residual_ratio    = std::numeric_limits<double>::quiet_NaN();
+        result.converged         = ordered.least_clearance > -2.;
+        result.obstacle          = "fibers are on the wrong side of each other";
+        return result;
+      };
+      all_stages.push_back(stage);
+    }
+
+
+
+    void
     Scene::add_settle_stage()
     {
       Stage stage;
       stage.name          = "settle";
-      stage.contributions = {
-        fiber_elasticity, yarn_guides(*fiber_space, paths, parameters.settle)};
+      stage.contributions = {fiber_elasticity, guides};
       if (fiber_contact)
         {
           // The load factor k/n stands for the k-th of n thresholds.

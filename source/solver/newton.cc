@@ -36,6 +36,9 @@ namespace Heddle
 
       /** Prescribed motion that is below round-off, in radii. */
       constexpr double reached = 1e-9;
+
+      /** Forces below this part of the axial stiffness are round-off. */
+      constexpr double round_off = 1e-13;
     } // namespace
 
 
@@ -100,7 +103,11 @@ namespace Heddle
             std::make_unique<LinearSolver>(linear_parameters, *block_system);
           length_scale = state.space.fiber(0).radius;
           for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
-            length_scale = std::min(length_scale, state.space.fiber(f).radius);
+            {
+              const System::Fiber &fiber = state.space.fiber(f);
+              length_scale               = std::min(length_scale, fiber.radius);
+              stiffest = std::max(stiffest, fiber.section.axial);
+            }
         }
 
       const bool rough = std::any_of(
@@ -126,7 +133,8 @@ namespace Heddle
 
           // Equilibrium counts only if no term objects to it.
           const bool balanced =
-            residual.ratio <= parameters.residual_tolerance &&
+            (residual.ratio <= parameters.residual_tolerance ||
+             residual.largest_force <= round_off * stiffest) &&
             residual.pending <= reached;
           const bool still =
             iteration > 0 && result.increment <= parameters.increment_tolerance;

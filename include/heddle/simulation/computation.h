@@ -65,6 +65,7 @@ namespace Heddle
       Recorder                                          &recorder;
       Log                                               &log;
       SectionTimer                                      &timer;
+      StopRequest                                       &stop;
       Solver::Newton                                     newton;
       std::vector<std::unique_ptr<Solver::LoadStepping>> stepping;
       Recorder::Place                                    place;

@@ -8,6 +8,7 @@
 #include <heddle/io/output_parameters.h>
 #include <heddle/simulation/centerline_parameters.h>
 #include <heddle/simulation/fiber_parameters.h>
+#include <heddle/simulation/ordering_stage.h>
 #include <heddle/simulation/run_parameters.h>
 #include <heddle/simulation/settle_parameters.h>
 #include <heddle/solver/load_stepping.h>
@@ -41,6 +42,7 @@ namespace Heddle
       FiberParameters                fiber;
       Contact::ContactParameters     contact;
       SettleParameters               settle;
+      OrderingParameters             ordering;
       Contributions::SupportList     supports;
       Contributions::LoadList        loads;
       Solver::LoadSteppingParameters load_stepping;

@@ -100,6 +100,9 @@ namespace Heddle
       fibers_can_touch() const;
 
       void
+      add_order_stage();
+
+      void
       add_settle_stage();
 
       void
@@ -113,6 +116,7 @@ namespace Heddle
       std::unique_ptr<System::State>                  configuration;
       std::shared_ptr<Contributions::FiberElasticity> fiber_elasticity;
       std::shared_ptr<Contributions::FiberContact>    fiber_contact;
+      std::shared_ptr<System::Contribution>           guides;
       std::vector<Stage>                              all_stages;
     };
   } // namespace Simulation

@@ -1,6 +1,9 @@
 #ifndef heddle_simulation_stage_h
 #define heddle_simulation_stage_h
 
+#include <heddle/base/log.h>
+#include <heddle/base/signals.h>
+#include <heddle/base/timer.h>
 #include <heddle/solver/load_stepping.h>
 #include <heddle/solver/newton.h>
 
@@ -23,6 +26,10 @@ namespace Heddle
 
       /** Makes the contributions ready for a step to this load factor. */
       std::function<void(const double)> set_up = [](const double) {};
+
+      /** Takes a step another way than to the equilibrium, if given. */
+      std::function<Solver::NewtonResult(Log &, SectionTimer &, StopRequest &)>
+        solve;
     };
   } // namespace Simulation
 } // namespace Heddle

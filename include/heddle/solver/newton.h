@@ -145,6 +145,7 @@ namespace Heddle
       std::vector<System::BlockSystem::Constraint> constraints;
       double                                       damping      = 0.;
       double                                       length_scale = 1.;
+      double                                       stiffest = 0.; /**< EA [N] */
     };
   } // namespace Solver
 } // namespace Heddle
