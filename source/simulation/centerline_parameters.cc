@@ -12,7 +12,9 @@ namespace Heddle
                     file,
                     "Comma-separated values with the columns "
                     "fiber,x,y,z[,radius][,set], one line per point; as seen "
-                    "from the folder of the parameter file [-].");
+                    "from the folder of the parameter file. Inactive unless "
+                    "Run/Scene is 'centerlines', like all of this section "
+                    "[-].");
       add_parameter("Element length",
                     entries.element_length,
                     "Every fiber gets the number of equal elements whose "

@@ -22,24 +22,22 @@ namespace Heddle
       const bool        weaves = run.scene == "weave";
       const std::string wanted = weaves ? "Weave" : "Centerlines";
       const std::string other  = weaves ? "Centerlines" : "Weave";
-      require(!file.mentions("/" + other),
+      require(file.mentions("/" + wanted) || !file.mentions("/" + other),
               file.name() + ": there is a section \"" + other +
-                "\", but Run/Scene is \"" + run.scene +
-                "\": change that, or remove the section.");
+                "\", but Run/Scene is \"" + run.scene + "\": change that.");
       require(file.mentions("/" + wanted),
               file.name() +
                 ": the scene is empty; describe it in a section \"" + wanted +
                 "\".");
-      require(weaves || !centerlines.file.empty(),
-              file.name() + ": Centerlines/File is empty; name the file of the "
-                            "centerlines.");
-      for (const std::string section : {"Supports", "Loads", "Load stepping"})
-        require(!weaves || !file.mentions("/" + section),
-                file.name() + ": the section \"" + section +
-                  "\" is for Run/Scene = centerlines; remove it.");
-      require(weaves || !file.mentions("/Initial configuration"),
-              file.name() + ": the section \"Initial configuration\" is for "
-                            "Run/Scene = weave; remove it.");
+      require(weaves == centerlines.file.empty(),
+              file.name() +
+                (weaves ? ": Centerlines/File is given, but Run/Scene is "
+                          "\"weave\": remove one of them."
+                        : ": Centerlines/File is empty; name the file of the "
+                          "centerlines."));
+      require(!weaves || (supports.empty() && loads.empty()),
+              file.name() + ": supports and loads are for Run/Scene = "
+                            "centerlines; remove them.");
       require(weaves || !supports.empty(),
               file.name() + ": nothing holds the fibers; declare a section "
                             "\"Supports/Support 1\".");

@@ -13,8 +13,9 @@ namespace Heddle
       add_parameter("Axial tension",
                     axial_tension,
                     "Strain by which the force on both ends of every fiber, "
-                    "along its yarn, would stretch it if it were straight "
-                    "[-].",
+                    "along its yarn, would stretch it if it were straight. "
+                    "Inactive unless Run/Scene is 'weave', like all of this "
+                    "section [-].",
                     prm,
                     Patterns::Double(0., 0.1));
       add_parameter("Guide stiffness",

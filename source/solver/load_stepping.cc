@@ -24,8 +24,9 @@ namespace Heddle
       entries.smallest_step = 1e-4;
       add_parameter("Initial step",
                     entries.initial_step,
-                    "First step of the load factor, which goes from 0 to 1 "
-                    "[-].",
+                    "First step of the load factor, which goes from 0 to 1. "
+                    "Inactive without loads and supports, like all of this "
+                    "section [-].",
                     prm,
                     Patterns::Double(1e-10, 1.));
       add_parameter("Largest step",

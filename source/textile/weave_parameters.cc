@@ -32,7 +32,9 @@ namespace Heddle
                     "N/S' (warp on top but for one crossing in N, which moves "
                     "by S from weft yarn to weft yarn), 'basket m/n', or a "
                     "matrix like '0 1; 1 0', rows being weft yarns and 1 "
-                    "meaning warp on top. Repeated over the sample.");
+                    "meaning warp on top. Repeated over the sample. "
+                    "Inactive unless Run/Scene is 'weave', like all of this "
+                    "section [-].");
       add_parameter("Start",
                     start,
                     "Geometry from which the initial configuration is "

@@ -1,0 +1,36 @@
+// Load steps hit the points that are asked for, grow after easy steps, are
+// halved after failures, and are given up when they would get too short.
+#include <heddle/solver/load_stepping.h>
+
+#include "../tests.h"
+
+int
+main()
+{
+  initlog();
+  Heddle::Solver::LoadPlan plan;
+  plan.initial_step  = 0.1;
+  plan.largest_step  = 0.3;
+  plan.smallest_step = 0.02;
+  plan.points        = {0.25};
+  Heddle::Solver::LoadStepping stepping(plan);
+
+  // Newton iterations of each attempt; 0: it failed.
+  for (const unsigned int iterations : {5, 5, 20, 5, 0, 0, 5, 5, 5})
+    {
+      deallog << stepping.reached() << " -> " << stepping.next();
+      if (iterations > 0)
+        stepping.accept(iterations);
+      else
+        deallog << " failed, shorter " << stepping.cut_back();
+      deallog << std::endl;
+    }
+  while (!stepping.finished())
+    stepping.accept(5);
+  deallog << "finished at " << stepping.reached() << std::endl;
+
+  Heddle::Solver::LoadStepping stubborn(plan);
+  while (stubborn.cut_back())
+    deallog << "halved to " << stubborn.next() << std::endl;
+  deallog << "given up at " << stubborn.reached() << std::endl;
+}
