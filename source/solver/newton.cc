@@ -24,9 +24,8 @@ namespace Heddle
       fading(const double ratio)
       {
         constexpr double unsettled = 10.;
-        return std::min({1.,
-                         std::sqrt(ratio / unsettled),
-                         ratio / std::sqrt(unsettled)});
+        return std::min(
+          {1., std::sqrt(ratio / unsettled), ratio / std::sqrt(unsettled)});
       }
 
 
