@@ -1,6 +1,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/contributions/loads.h>
+#include <heddle/contributions/section_damping.h>
 #include <heddle/contributions/supports.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/scene.h>
@@ -136,6 +137,9 @@ namespace Heddle
           stage.plan.initial_step  = 1. / n;
           stage.plan.largest_step  = 1. / n;
           stage.plan.smallest_step = 1. / n;
+          if (fiber_space->n_blocks_per_node() == 3)
+            stage.contributions.push_back(
+              std::make_shared<Contributions::SectionDamping>());
           stage.contributions.push_back(fiber_contact);
           const auto contact = fiber_contact;
           stage.set_up       = [=](const double load_factor) {
