@@ -1,4 +1,3 @@
-#include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/base/version.h>
 #include <heddle/simulation/fabric_report.h>
@@ -63,44 +62,6 @@ namespace Heddle
           }
         return result;
       }
-
-
-
-      /** The numbers of a stage that a resumed run goes on with, by name. */
-      template <typename Action>
-      void
-      for_each_number(IO::StageSummary &stage, const Action &action)
-      {
-        const auto convert = [&](const std::string &name, auto &value) {
-          double number = value;
-          action(name, number);
-          value = number;
-        };
-        convert("steps", stage.steps);
-        convert("newton_iterations", stage.newton_iterations);
-        convert("factorizations", stage.factorizations);
-        convert("linear_iterations", stage.linear_iterations);
-        convert("contact_elements", stage.contact_elements);
-        convert("active_contact_elements", stage.active_contact_elements);
-        convert("crossings_total", stage.crossings_total);
-        convert("crossings_wrong", stage.crossings_wrong);
-        convert("max_penetration_ratio", stage.max_penetration_ratio);
-        convert("residual_ratio", stage.residual_ratio);
-        convert("last_output", stage.last_output);
-        convert("time_total", stage.wall_time.total);
-        convert("time_detection", stage.wall_time.detection);
-        convert("time_assembly", stage.wall_time.assembly);
-        convert("time_linear_solver", stage.wall_time.linear_solver);
-        convert("time_output", stage.wall_time.output);
-      }
-
-
-
-      std::string
-      stage_entry(const unsigned int i, const std::string &name)
-      {
-        return "summary/stage-" + std::to_string(i) + "/" + name;
-      }
     } // namespace
 
 
@@ -135,35 +96,6 @@ namespace Heddle
     Recorder::report() const
     {
       return report_of(scene, scene.state());
-    }
-
-
-
-    Recorder::Place
-    Recorder::resume(
-      const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping)
-    {
-      Place                     place;
-      const std::string         path   = IO::Checkpoint::last(directory);
-      const std::vector<Stage> &stages = scene.stages();
-      const auto                position =
-        checkpoint.read(path, scene.state(), [&](const ArchiveReader &archive) {
-          const std::string name = archive.read_text("position/stage");
-          while (place.stage < stages.size() &&
-                 stages[place.stage].name != name)
-            ++place.stage;
-          require(place.stage < stages.size(),
-                  "The checkpoint \"" + path + "\" belongs to a stage \"" +
-                    name + "\", which this scene does not have.");
-          place.stepping = stepping[place.stage].get();
-          stepping[place.stage]->load(archive);
-          for (const auto &contribution : stages[place.stage].contributions)
-            contribution->load(archive);
-          load_summary(archive);
-        });
-      history.resume(position.history);
-      place.number = position.number;
-      return place;
     }
 
 
@@ -321,58 +253,6 @@ namespace Heddle
                         place.number,
                         time,
                         group);
-    }
-
-
-
-    void
-    Recorder::save(ArchiveWriter &archive, const Place &place) const
-    {
-      place.stepping->save(archive);
-      for (const auto &contribution : scene.stages()[place.stage].contributions)
-        contribution->save(archive);
-      archive.write_number("summary/n_stages", summary.stages.size());
-      auto stages = summary.stages;
-      for (unsigned int i = 0; i < stages.size(); ++i)
-        {
-          archive.write_text(stage_entry(i, "name"), stages[i].name);
-          archive.write_text(stage_entry(i, "status"), stages[i].status);
-          for_each_number(stages[i],
-                          [&](const std::string &name, const double value) {
-                            archive.write_number(stage_entry(i, name), value);
-                          });
-        }
-    }
-
-
-
-    void
-    Recorder::load_summary(const ArchiveReader &archive)
-    {
-      summary.stages.resize(archive.read_number("summary/n_stages"));
-      for (unsigned int i = 0; i < summary.stages.size(); ++i)
-        {
-          IO::StageSummary &stage = summary.stages[i];
-          stage.name              = archive.read_text(stage_entry(i, "name"));
-          stage.status            = archive.read_text(stage_entry(i, "status"));
-          for_each_number(stage, [&](const std::string &name, double &value) {
-            value = archive.read_number(stage_entry(i, name));
-          });
-        }
-    }
-
-
-
-    void
-    Recorder::write_checkpoint(const Place &place)
-    {
-      update_times();
-      checkpoint.write({scene.stages()[place.stage].name,
-                        place.number,
-                        file.text(),
-                        history.csv()},
-                       scene.state(),
-                       [&](ArchiveWriter &archive) { save(archive, place); });
     }
 
 

@@ -64,6 +64,33 @@ namespace Heddle
             << "\nMemory         about " << std::fixed << std::setprecision(0)
             << std::ceil(scene.estimated_memory() / 1e6) << " MB" << std::endl;
       }
+
+
+
+      /** Compute the scene and leave the results in its folder. */
+      void
+      compute(const CommandLine   &command_line,
+              const ParameterFile &file,
+              const Parameters    &parameters,
+              Scene               &scene,
+              Log                 &log,
+              SectionTimer        &timer,
+              StopRequest         &stop)
+      {
+        const std::string directory =
+          output_directory(command_line, parameters.run);
+        if (command_line.resume)
+          IO::Checkpoint::last(directory);
+        create_folder(directory);
+        log.open(directory + "/log.txt",
+                 command_line.resume ? std::ios_base::app : std::ios_base::out);
+        log << "Results        " << directory << std::endl;
+        Recorder    recorder(scene, parameters, file, directory, timer);
+        Computation computation(scene, parameters, recorder, log, timer, stop);
+        computation.run(command_line.resume);
+        if (parameters.run.timing)
+          log << timer.table() << std::flush;
+      }
     } // namespace
 
 
@@ -92,19 +119,7 @@ namespace Heddle
       if (command_line.task == CommandLine::Task::validate)
         return;
 
-      const std::string directory =
-        output_directory(command_line, parameters.run);
-      if (command_line.resume)
-        IO::Checkpoint::last(directory);
-      create_folder(directory);
-      log.open(directory + "/log.txt",
-               command_line.resume ? std::ios_base::app : std::ios_base::out);
-      log << "Results        " << directory << std::endl;
-      Recorder    recorder(scene, parameters, file, directory, timer);
-      Computation computation(scene, parameters, recorder, log, timer, stop);
-      computation.run(command_line.resume);
-      if (parameters.run.timing)
-        log << timer.table() << std::flush;
+      compute(command_line, file, parameters, scene, log, timer, stop);
     }
   } // namespace Simulation
 } // namespace Heddle
