@@ -219,13 +219,19 @@ namespace Heddle
     FiberContact::first_penalty(const unsigned int a,
                                 const unsigned int b) const
     {
-      // Hertz, parallel cylinders: p = pi/4 E* d with E* = E/2 for equal ones.
-      const auto modulus = [this](const unsigned int f) {
+      // What yields along the normal, in series: the sections, as in Hertz'
+      // line contact of cylinders, p = pi/4 E d, and the axis, which bends
+      // between its nodes, p = E I (2 pi / h)^4 d.
+      const auto compliance = [this](const unsigned int f) {
         const System::Fiber &fiber = space.fiber(f);
-        return fiber.section.axial /
-               (numbers::PI * fiber.radius * fiber.radius);
+        const double         modulus =
+          fiber.section.axial / (numbers::PI * fiber.radius * fiber.radius);
+        const double wave_number =
+          2. * numbers::PI * (fiber.n_nodes - 1) / fiber.length;
+        return 4. / (numbers::PI * modulus) +
+               1. / (fiber.section.bending * std::pow(wave_number, 4.));
       };
-      return numbers::PI / 4. / (1. / modulus(a) + 1. / modulus(b));
+      return 1. / (compliance(a) + compliance(b));
     }
 
 

@@ -76,7 +76,7 @@ public:
   forces(const bool search = false)
   {
     if (search)
-      contact->invalidate();
+      contact->begin_step(state);
     contact->update(state);
     return assemble();
   }

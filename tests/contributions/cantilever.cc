@@ -11,7 +11,7 @@ int
 main(int argc, char **argv)
 {
   MPITest mpi(argc, argv);
-  for (const std::string &element : {"hermite", "director"})
+  for (const std::string element : {"hermite", "director"})
     for (const double slenderness : {10., 100., 1000., 10000.})
       {
         Scene scene;

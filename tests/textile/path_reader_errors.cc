@@ -61,7 +61,7 @@ main()
   refuse(head + "1,0,0,0\n1,1,0,0\n", 0.1, 1., 0.);
   try
     {
-      read_paths("no such file.csv", PathReading{1., 0.1, 1., {}});
+      read_paths("no such file.csv", PathReading{1., 1, 0.1, 1., {}});
     }
   catch (const Heddle::InputError &error)
     {

@@ -151,7 +151,7 @@ namespace Heddle
       double
       moved_since_search(const System::State &state) const;
 
-      /** Line contact of two elastic cylinders, parallel [N/mm^2]. */
+      /** From the local elasticity of two parallel fibers [N/mm^2]. */
       double
       first_penalty(const unsigned int a, const unsigned int b) const;
 
