@@ -15,10 +15,7 @@ namespace Heddle
         using GaussPoint = std::pair<double, double>;
 
         /** Places and weights of the elements of a stretch, from -1 to 1. */
-        constexpr std::array<GaussPoint, 2> two_points = {
-          {{-0.5773502691896258, 1.}, {0.5773502691896258, 1.}}};
-
-        constexpr std::array<GaussPoint, 4> four_points = {
+        constexpr std::array<GaussPoint, 4> gauss_points = {
           {{-0.8611363115940526, 0.3478548451374538},
            {-0.3399810435848563, 0.6521451548625461},
            {0.3399810435848563, 0.6521451548625461},
@@ -114,11 +111,9 @@ namespace Heddle
       {
       public:
         CellFiller(const IntermediateGeometry  &geometry,
-                   const unsigned int           n_points,
                    const double                 near,
                    std::vector<ContactElement> &elements)
           : geometry(geometry)
-          , n_points(n_points)
           , near(near)
           , reach(geometry.a.radius + geometry.b.radius)
           , elements(elements)
@@ -157,7 +152,6 @@ namespace Heddle
                    const double   weight) const;
 
         const IntermediateGeometry  &geometry;
-        const unsigned int           n_points;
         const double                 near;
         const double                 reach;
         std::vector<ContactElement> &elements;
@@ -280,10 +274,8 @@ namespace Heddle
       {
         using namespace internal::ContactCell;
         const double half = 0.5 * (high - low);
-        for (unsigned int k = 0; k < n_points; ++k)
+        for (const GaussPoint &point : gauss_points)
           {
-            const GaussPoint point =
-              n_points == 2 ? two_points[k] : four_points[k];
             // p measures twice the length of the intermediate curve.
             elements.push_back(
               element_at(begin,
@@ -321,11 +313,10 @@ namespace Heddle
     place_in_cell(const IntermediateGeometry  &geometry,
                   const CellEnd               &begin,
                   const CellEnd               &end,
-                  const unsigned int           n_points,
                   const double                 near,
                   std::vector<ContactElement> &elements)
     {
-      CellFiller filler(geometry, n_points, near, elements);
+      CellFiller filler(geometry, near, elements);
       filler.fill(begin, end);
       return filler.deepest;
     }

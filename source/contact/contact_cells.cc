@@ -283,15 +283,11 @@ namespace Heddle
             continues ? end : cell_end(between, p.first, cell.q_begin);
           end = cell_end(between, p.second, cell.q_end);
 
-          Zone        &zone        = all_zones[cell.zone];
-          const auto   first       = elements.size();
-          const double penetration = place_in_cell(between,
-                                                   begin,
-                                                   end,
-                                                   cell.level > 0 ? 4 : 2,
-                                                   near * zone.radius,
-                                                   elements);
-          zone.penetration         = std::max(zone.penetration, penetration);
+          Zone        &zone  = all_zones[cell.zone];
+          const auto   first = elements.size();
+          const double penetration =
+            place_in_cell(between, begin, end, near * zone.radius, elements);
+          zone.penetration = std::max(zone.penetration, penetration);
           for (auto k = first; k < elements.size(); ++k)
             {
               ContactElement &element = elements[k];

@@ -170,7 +170,7 @@ namespace Heddle
       const Contact::ContactParameters &parameters;
       double                            threshold;
       const double                      largest_radius;
-      double                            caution = 1.;
+      double                            caution = 0.;
       Contact::ContactCells::Filter     filter;
 
       bool                                 searched = false;
