@@ -57,6 +57,8 @@ namespace Heddle
       MPI_Barrier(communicator);
       if (first_rank)
         std::filesystem::rename(beside, path);
+      // No rank goes on before the file is there under its name.
+      MPI_Barrier(communicator);
     }
 
 
