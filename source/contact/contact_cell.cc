@@ -15,11 +15,11 @@ namespace Heddle
         using GaussPoint = std::pair<double, double>;
 
         /** Places and weights of the elements of a stretch, from -1 to 1. */
-        constexpr std::array<GaussPoint, 4> gauss_points = {
-          {{-0.8611363115940526, 0.3478548451374538},
-           {-0.3399810435848563, 0.6521451548625461},
-           {0.3399810435848563, 0.6521451548625461},
-           {0.8611363115940526, 0.3478548451374538}}};
+        constexpr std::array<GaussPoint, n_elements_per_stretch> gauss_points =
+          {{{-0.8611363115940526, 0.3478548451374538},
+            {-0.3399810435848563, 0.6521451548625461},
+            {0.3399810435848563, 0.6521451548625461},
+            {0.8611363115940526, 0.3478548451374538}}};
 
 
 
@@ -111,11 +111,11 @@ namespace Heddle
       {
       public:
         CellFiller(const IntermediateGeometry  &geometry,
-                   const double                 near,
+                   const double                 skin,
                    std::vector<ContactElement> &elements)
           : geometry(geometry)
-          , near(near)
-          , reach(geometry.a.radius + geometry.b.radius)
+          , distance_at_contact(geometry.a.radius + geometry.b.radius)
+          , reach(distance_at_contact + skin)
           , elements(elements)
         {
         }
@@ -138,12 +138,6 @@ namespace Heddle
                      const double   low,
                      const double   high);
 
-        /** Place an open element where the surfaces are closest. */
-        void
-        fill_open(const CellEnd                      &begin,
-                  const CellEnd                      &end,
-                  const internal::ContactCell::Cubic &f);
-
         /** The element at the part @p t of the range of p. */
         ContactElement
         element_at(const CellEnd &begin,
@@ -152,7 +146,7 @@ namespace Heddle
                    const double   weight) const;
 
         const IntermediateGeometry  &geometry;
-        const double                 near;
+        const double                 distance_at_contact;
         const double                 reach;
         std::vector<ContactElement> &elements;
       };
@@ -173,7 +167,7 @@ namespace Heddle
         element.s_a             = particles.s_a;
         element.s_b             = particles.s_b;
         element.weight          = weight;
-        element.gap             = distance - reach;
+        element.gap             = distance - distance_at_contact;
         element.normal          = particles.connection / distance;
         return element;
       }
@@ -223,7 +217,7 @@ namespace Heddle
 
         // The control polygon bounds the cubic: most cells end here.
         const double least = std::min({f0, f0 + m0 / 3., f1 - m1 / 3., f1});
-        if (least >= near * (2. * reach + near))
+        if (least >= 0.)
           return;
         const Cubic f = {
           f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
@@ -250,18 +244,15 @@ namespace Heddle
         if (inside)
           fill_stretch(begin, end, from, 1.);
         if (elements.size() == n_before)
-          {
-            fill_open(begin, end, f);
-            return;
-          }
+          return;
 
         for (unsigned int k = 0; k < n_stationary; ++k)
           if (f(stationary[k]) < 0.)
             deepest =
               std::max(deepest, -element_at(begin, end, stationary[k], 0.).gap);
         for (const CellEnd *side : {&begin, &end})
-          deepest =
-            std::max(deepest, reach - std::sqrt(side->squared_distance));
+          deepest = std::max(
+            deepest, distance_at_contact - std::sqrt(side->squared_distance));
       }
 
 
@@ -285,26 +276,6 @@ namespace Heddle
             deepest = std::max(deepest, -elements.back().gap);
           }
       }
-
-
-
-      void
-      CellFiller::fill_open(const CellEnd                      &begin,
-                            const CellEnd                      &end,
-                            const internal::ContactCell::Cubic &f)
-      {
-        std::array<double, 2> stationary;
-        const unsigned int    n_stationary =
-          internal::ContactCell::stationary_points(f, stationary);
-        double closest = f(0.) < f(1.) ? 0. : 1.;
-        for (unsigned int k = 0; k < n_stationary; ++k)
-          if (f(stationary[k]) < f(closest))
-            closest = stationary[k];
-        const ContactElement element =
-          element_at(begin, end, closest, 0.5 * (end.p - begin.p));
-        if (element.gap < near)
-          elements.push_back(element);
-      }
     } // namespace
 
 
@@ -313,10 +284,10 @@ namespace Heddle
     place_in_cell(const IntermediateGeometry  &geometry,
                   const CellEnd               &begin,
                   const CellEnd               &end,
-                  const double                 near,
+                  const double                 skin,
                   std::vector<ContactElement> &elements)
     {
-      CellFiller filler(geometry, near, elements);
+      CellFiller filler(geometry, skin, elements);
       filler.fill(begin, end);
       return filler.deepest;
     }

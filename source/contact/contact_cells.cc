@@ -263,7 +263,7 @@ namespace Heddle
     void
     ContactCells::place_elements(const CurveList             &curves,
                                  const double                 threshold,
-                                 const double                 near,
+                                 const double                 skin,
                                  std::vector<ContactElement> &elements)
     {
       for (Zone &zone : all_zones)
@@ -286,8 +286,9 @@ namespace Heddle
           Zone        &zone  = all_zones[cell.zone];
           const auto   first = elements.size();
           const double penetration =
-            place_in_cell(between, begin, end, near * zone.radius, elements);
-          zone.penetration = std::max(zone.penetration, penetration);
+            place_in_cell(between, begin, end, skin * zone.radius, elements);
+          zone.penetration    = std::max(zone.penetration, penetration);
+          const NormalLaw law = this->law(cell.zone, threshold, skin);
           for (auto k = first; k < elements.size(); ++k)
             {
               ContactElement &element = elements[k];
@@ -296,10 +297,8 @@ namespace Heddle
               element.zone            = cell.zone;
               element.penalty         = cell.penalty;
               element.force =
-                element.gap < 0.
-                  ? element.weight * law(cell.zone, threshold)
-                                       .pressure(cell.penalty, -element.gap)
-                  : 0.;
+                element.weight *
+                law.pressure(cell.penalty, std::max(-element.gap, -law.skin));
             }
         }
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace Heddle
 {
@@ -16,11 +17,20 @@ namespace Heddle
       /** Motion after which fibers are searched anew, in search distances. */
       constexpr double stale_after = 0.125;
 
-      /** Gap over radius below which surfaces are about to touch. */
-      constexpr double near = 0.2;
+      /**
+       * Thickness of the softest skin, in radii. A thicker one swells the yarns
+       * and lets them repack when it goes: more iterations, not fewer.
+       */
+      constexpr double thickest_skin = 0.05;
 
-      /** Stiffness against approach then, as a part of the penalty. */
-      constexpr double foresight = 0.05;
+      /**
+       * First penalty over the stiffness of what yields beside it: penalties
+       * that begin too high hold fibers where they happened to meet.
+       */
+      constexpr double first_softness = 0.2;
+
+
+
       double
       find_largest_radius(const System::FiberSpace &space)
       {
@@ -231,7 +241,7 @@ namespace Heddle
         return 4. / (numbers::PI * modulus) +
                1. / (fiber.section.bending * std::pow(wave_number, 4.));
       };
-      return 1. / (compliance(a) + compliance(b));
+      return first_softness / (compliance(a) + compliance(b));
     }
 
 
@@ -257,7 +267,25 @@ namespace Heddle
     FiberContact::place_elements()
     {
       contact_elements.clear();
-      cells.place_elements(curves, threshold, near, contact_elements);
+      cells.place_elements(
+        curves, threshold, softness * thickest_skin, contact_elements);
+    }
+
+
+
+    double
+    FiberContact::penetration(const Contact::ContactElement &element) const
+    {
+      // At its ends a stretch of overlap may miss contact by a little.
+      return std::max(-element.gap, -law(element).skin);
+    }
+
+
+
+    Contact::NormalLaw
+    FiberContact::law(const Contact::ContactElement &element) const
+    {
+      return cells.law(element.zone, threshold, softness * thickest_skin);
     }
 
 
@@ -265,16 +293,8 @@ namespace Heddle
     double
     FiberContact::stiffness(const Contact::ContactElement &element) const
     {
-      if (element.gap < 0.)
-        return element.weight * cells.law(element.zone, threshold)
-                                  .stiffness(element.penalty, -element.gap);
-
-      // Surfaces about to touch resist their approach: a part of the tangent
-      // only, which vanishes with the motion.
-      const double radius = cells.zones()[element.zone].radius;
-      const double close  = std::max(0., 1. - element.gap / (near * radius));
-      return caution * foresight * element.weight * element.penalty * close *
-             close;
+      return element.weight *
+             law(element).stiffness(element.penalty, penetration(element));
     }
 
 
@@ -285,25 +305,25 @@ namespace Heddle
       std::array<double, 4> sums     = {};
       std::array<double, 3> extremes = {{0., 0., -1e300}};
       for (const Contact::ContactElement &element : contact_elements)
-        if (space.owns(element.fiber_a) && element.force > 0.)
+        if (space.owns(element.fiber_a))
           {
-            sums[0] += 1.;
+            sums[0] += 1. / Contact::n_elements_per_stretch;
             sums[1] += element.force;
             sums[2] +=
-              element.weight * cells.law(element.zone, threshold)
-                                 .energy(element.penalty, -element.gap);
+              element.weight *
+              law(element).energy(element.penalty, penetration(element));
             extremes[1] = std::max(extremes[1], element.penalty);
             extremes[2] = std::max(extremes[2], -element.penalty);
           }
-      for (const Contact::ContactElement &element : contact_elements)
-        sums[3] += space.owns(element.fiber_a) ? 1. : 0.;
+      for (const Contact::ContactCell &cell : cells.cells())
+        sums[3] += space.owns(cell.fiber_a) ? 1. : 0.;
       for (const Contact::ContactCells::Zone &zone : cells.zones())
         extremes[0] = std::max(extremes[0], zone.penetration / zone.radius);
       sum_over_ranks(sums, space.communicator());
       max_over_ranks(extremes, space.communicator());
 
       statistics.n_active        = sums[0];
-      statistics.n_elements      = sums[3];
+      statistics.n_watched       = sums[3];
       statistics.mean_force      = sums[0] > 0. ? sums[1] / sums[0] : 0.;
       statistics.energy          = sums[2];
       statistics.deepest         = extremes[0];
@@ -323,6 +343,12 @@ namespace Heddle
                          space.interval(element.fiber_a, element.s_a),
                          space.interval(element.fiber_b, element.s_b)});
       std::sort(pairs.begin(), pairs.end());
+      pairs.erase(std::unique(pairs.begin(),
+                              pairs.end(),
+                              [](const auto &left, const auto &right) {
+                                return !(left < right) && !(right < left);
+                              }),
+                  pairs.end());
       return pairs;
     }
 
@@ -363,14 +389,17 @@ namespace Heddle
     FiberContact::add_pattern(const System::State          &state,
                               System::BlockSystem::Pattern &pattern)
     {
-      pattern_pairs = element_pairs();
-      pattern_pairs.erase(std::unique(pattern_pairs.begin(),
-                                      pattern_pairs.end(),
-                                      [](const auto &left, const auto &right) {
-                                        return !(left < right) &&
-                                               !(right < left);
-                                      }),
-                          pattern_pairs.end());
+      // Contacts come and go: pairs that touched before may touch again.
+      std::vector<Contact::CandidatePair> pairs = element_pairs();
+      if (pattern_pairs.size() > 2 * pairs.size())
+        pattern_pairs.clear();
+      std::vector<Contact::CandidatePair> all_pairs;
+      std::set_union(pattern_pairs.begin(),
+                     pattern_pairs.end(),
+                     pairs.begin(),
+                     pairs.end(),
+                     std::back_inserter(all_pairs));
+      pattern_pairs.swap(all_pairs);
 
       unsigned int blocks[8];
       double       weights[8];
@@ -399,7 +428,7 @@ namespace Heddle
       std::array<double, 24>  direction, residual;
       std::array<double, 576> tangent;
       for (const Contact::ContactElement &element : contact_elements)
-        if (element.force > 0. || system.wants_tangent())
+        if (element.force > 0.)
           {
             locate(state, element, blocks, weights);
 
@@ -470,7 +499,7 @@ namespace Heddle
         }
       const double allowed =
         (0.5 - stale_after) * parameters.search_distance * largest_radius;
-      return largest > allowed ? allowed / largest : 1.;
+      return allowed / std::max(largest, 1e-300);
     }
 
 
@@ -478,7 +507,8 @@ namespace Heddle
     bool
     FiberContact::adapt(const System::State &)
     {
-      const bool changed = cells.adapt(threshold);
+      const bool changed =
+        cells.adapt(std::max(threshold, softness * thickest_skin));
       return Utilities::MPI::max(changed ? 1 : 0, space.communicator()) > 0;
     }
   } // namespace Contributions

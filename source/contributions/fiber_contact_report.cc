@@ -24,7 +24,7 @@ namespace Heddle
     FiberContact::status() const
     {
       std::ostringstream text;
-      text << "contacts " << static_cast<unsigned long>(statistics.n_elements)
+      text << "contacts " << static_cast<unsigned long>(statistics.n_watched)
            << " active " << static_cast<unsigned long>(statistics.n_active)
            << std::scientific << std::setprecision(1) << " penetration "
            << statistics.deepest << " penalty " << statistics.least_penalty
@@ -38,7 +38,7 @@ namespace Heddle
     FiberContact::report(const System::State &,
                          std::map<std::string, double> &values) const
     {
-      values["contact_elements[-]"]        = statistics.n_elements;
+      values["contact_elements[-]"]        = statistics.n_watched;
       values["active_contact_elements[-]"] = statistics.n_active;
       values["mean_contact_force[N]"]      = statistics.mean_force;
       values["max_penetration_ratio[-]"]   = statistics.deepest;

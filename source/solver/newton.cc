@@ -15,23 +15,24 @@ namespace Heddle
   {
     namespace
     {
-      /**
-       * Part of the damping that is left at a residual ratio: all above 10, the
-       * square root below, and proportional to it below 1, where the iteration
-       * would otherwise creep.
+      /** An iteration that moves no fiber further, in radii, is calm, ... */
+      constexpr double calm_motion = 0.3;
+
+      /** ... if forces balance so well on average. */
+      constexpr double calm_ratio = 0.1;
+
+      /** Rough terms are softened from this residual ratio on, ... */
+      constexpr double unsettled = 1.;
+
+      /** ... and this is the least softness before none. */
+      constexpr double least_softness = 0.02;
+
+      /** Penalties are judged no sooner than so many iterations after a change.
        */
-      double
-      fading(const double ratio)
-      {
-        constexpr double unsettled = 10.;
-        return std::min(
-          {1., std::sqrt(ratio / unsettled), ratio / std::sqrt(unsettled)});
-      }
+      constexpr unsigned int patience = 4;
 
-
-
-      /** A line search ends where the slope is this part of the first one. */
-      constexpr double flat = 0.1;
+      /** No step is stretched so that a fiber moves further, in radii. */
+      constexpr double longest_stretched_motion = 0.5;
 
       /** Prescribed motion that is below round-off, in radii. */
       constexpr double reached = 1e-9;
@@ -65,9 +66,10 @@ namespace Heddle
                     Patterns::Integer(1));
       add_parameter("Damping",
                     damping,
-                    "Largest stiffness per length that holds nodes back while "
-                    "contact is unsettled, in units of E A / R^2; it fades as "
-                    "the iteration calms down. Inactive without contact [-].",
+                    "Stiffness per length that holds the nodes back in the "
+                    "first iteration from an unsettled state, in units of "
+                    "E A / R^2; then it adapts to how each fiber moves. "
+                    "Inactive without contact [-].",
                     prm,
                     Patterns::Double(0.));
     }
@@ -100,6 +102,7 @@ namespace Heddle
             std::make_unique<System::BlockSystem>(state, /*symmetric=*/true);
           linear_solver =
             std::make_unique<LinearSolver>(linear_parameters, *block_system);
+          damping      = std::make_unique<FiberDamping>(state.space);
           length_scale = state.space.fiber(0).radius;
           for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
             {
@@ -109,29 +112,38 @@ namespace Heddle
             }
         }
 
-      const bool rough = std::any_of(
-        contributions.begin(),
-        contributions.end(),
-        [](const auto &contribution) { return contribution->is_rough(); });
-      set_caution(contributions, rough ? 1. : 0.);
       NewtonResult      result;
       System::Increment increment;
       unsigned int      adapted_at = 0;
-      double            taken      = 1.;
 
+      set_softness(contributions, 0.);
+      damping->reset(0.);
       for (unsigned int iteration = 0;; ++iteration)
         {
           if (stop.received())
             throw Stopped("stopped by " + stop.reason());
           prepare(state, contributions);
           assemble(state, contributions);
-          const Residual residual = judge(state, contributions);
-          result.residual_ratio   = residual.ratio;
-          result.iterations       = iteration;
+          Residual   residual = judge(state, contributions);
+          const bool rough    = std::any_of(
+            contributions.begin(),
+            contributions.end(),
+            [](const auto &contribution) { return contribution->is_rough(); });
+          if (rough && iteration == 0 && residual.ratio >= unsettled)
+            {
+              set_softness(contributions, 1.);
+              damping->reset(parameters.damping);
+              prepare(state, contributions);
+              assemble(state, contributions);
+              residual = judge(state, contributions);
+            }
+          result.residual_ratio = residual.ratio;
+          result.iterations     = iteration;
           report(iteration, residual, result, contributions);
 
           // Equilibrium counts only if no term objects to it.
           const bool balanced =
+            softness == 0. &&
             (residual.ratio <= parameters.residual_tolerance ||
              residual.largest_force <= round_off * stiffest) &&
             residual.pending <= reached;
@@ -157,28 +169,34 @@ namespace Heddle
           if (iteration == parameters.max_iterations)
             return result;
 
-          const bool calm = rough && result.increment < 0.2 &&
-                            residual.ratio < 1. && iteration >= adapted_at + 4;
-          if (calm || (balanced && still))
+          const bool calm = rough && iteration > 0 &&
+                            result.increment < calm_motion &&
+                            residual.mean_ratio < calm_ratio;
+          if (calm && softness > 0.)
             {
-              bool changed = false;
-              for (const auto &contribution : contributions)
-                changed = contribution->adapt(state) || changed;
-              if (changed)
+              adapt(state, contributions);
+              set_softness(contributions,
+                           softness > 2. * least_softness ? 0.5 * softness
+                                                          : 0.);
+              prepare(state, contributions);
+              assemble(state, contributions);
+              adapted_at = iteration;
+            }
+          else if ((calm && iteration >= adapted_at + patience) ||
+                   (balanced && still))
+            {
+              if (adapt(state, contributions))
                 {
-                  adapted_at = iteration;
                   prepare(state, contributions);
                   assemble(state, contributions);
+                  adapted_at = iteration;
                 }
             }
 
           {
             SectionTimer::Scope scope(timer, "linear solver");
-            if (damping > 0.)
-              for_each_damped_block(
-                state, [this](const unsigned int block, const double value) {
-                  block_system->add_diagonal(block, value);
-                });
+            if (rough)
+              damping->add_to(*block_system, state);
             block_system->end();
             const LinearResult linear = linear_solver->solve();
             result.linear_iterations += linear.iterations;
@@ -193,37 +211,68 @@ namespace Heddle
                                 "free to move without resistance";
               return result;
             }
-          double largest = 1.;
-          for (const auto &contribution : contributions)
-            largest =
-              std::min(largest, contribution->largest_step(state, increment));
-          largest = Utilities::MPI::min(largest, communicator);
           // Prescribed motion does work: it may well raise the energy.
-          taken = rough && residual.pending <= reached
-                    ? line_search(state, contributions, increment, largest)
-                    : largest;
+          const double taken =
+            step_length(state,
+                        contributions,
+                        increment,
+                        motion,
+                        rough && residual.pending <= reached);
+          if (rough)
+            damping->adapt(state, increment, taken, length_scale);
           for (Tensor<1, 3> &motion_of_block : increment)
             motion_of_block *= taken;
           for (const auto &contribution : contributions)
             contribution->predict(state, increment);
           state.move(1., increment);
           result.increment = taken * motion;
-
-          // Soft modes are held back the less the closer equilibrium is.
-          if (rough)
-            set_caution(contributions, fading(residual.ratio));
         }
     }
 
 
 
     void
-    Newton::set_caution(const Contributions &contributions,
-                        const double         caution)
+    Newton::set_softness(const Contributions &contributions, const double value)
     {
-      damping = caution * parameters.damping;
+      softness = value;
       for (const auto &contribution : contributions)
-        contribution->set_caution(caution);
+        contribution->set_softness(value);
+    }
+
+
+
+    bool
+    Newton::adapt(System::State &state, const Contributions &contributions)
+    {
+      bool changed = false;
+      for (const auto &contribution : contributions)
+        changed = contribution->adapt(state) || changed;
+      return changed;
+    }
+
+
+
+    double
+    Newton::step_length(System::State           &state,
+                        const Contributions     &contributions,
+                        const System::Increment &increment,
+                        const double             motion,
+                        const bool               search)
+    {
+      SectionTimer::Scope scope(timer, "line search");
+      double              largest = std::numeric_limits<double>::max();
+      for (const auto &contribution : contributions)
+        largest =
+          std::min(largest, contribution->largest_step(state, increment));
+      largest = Utilities::MPI::min(largest, communicator);
+      if (!search)
+        return std::min(1., largest);
+
+      const double held =
+        Utilities::MPI::sum(damping->curvature(state, increment), communicator);
+      LineSearch along(state, contributions, *block_system, increment, held);
+      return along.best_step(
+        std::min(largest, std::max(1., longest_stretched_motion / motion)));
     }
 
 
@@ -277,41 +326,6 @@ namespace Heddle
 
 
 
-    template <typename Action>
-    void
-    Newton::for_each_damped_block(const System::State &state,
-                                  const Action        &action) const
-    {
-      const System::FiberSpace &space = state.space;
-      const auto                owned = space.owned_fibers();
-      for (unsigned int f = owned.first; f < owned.second; ++f)
-        {
-          const System::Fiber &fiber     = space.fiber(f);
-          const double         stiffness = damping * fiber.section.axial /
-                                   (fiber.radius * fiber.radius) *
-                                   fiber.length / fiber.n_nodes;
-          for (unsigned int i = 0; i < fiber.n_nodes; ++i)
-            action(state.local_block(f) + i * space.n_blocks_per_node(),
-                   stiffness);
-        }
-    }
-
-
-
-    double
-    Newton::damping_curvature(const System::State     &state,
-                              const System::Increment &increment) const
-    {
-      double sum = 0.;
-      for_each_damped_block(
-        state, [&](const unsigned int block, const double stiffness) {
-          sum += stiffness * increment[block].norm_square();
-        });
-      return Utilities::MPI::sum(sum, communicator);
-    }
-
-
-
     Newton::Residual
     Newton::judge(const System::State &state,
                   const Contributions &contributions)
@@ -323,6 +337,7 @@ namespace Heddle
       // A block that is no position answers with a moment: per element length
       // that is a force.
       std::array<double, 3> largest = {};
+      std::array<double, 2> sums    = {};
       const auto            owned   = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
@@ -330,9 +345,14 @@ namespace Heddle
             space.fiber(f).length / (space.fiber(f).n_nodes - 1);
           for (unsigned int b = 0; b < space.n_blocks(f); ++b)
             {
-              const unsigned int k = state.local_block(f) + b;
-              const double       scale =
-                b % space.n_blocks_per_node() == 0 ? 1. : 1. / length;
+              const unsigned int k     = state.local_block(f) + b;
+              const bool   is_position = b % space.n_blocks_per_node() == 0;
+              const double scale       = is_position ? 1. : 1. / length;
+              if (is_position)
+                {
+                  sums[0] += unbalanced[k].norm_square();
+                  sums[1] += 1.;
+                }
               largest[0] = std::max(largest[0], scale * unbalanced[k].norm());
               largest[1] = std::max(largest[1],
                                     scale * block_system->residual()[k].norm());
@@ -343,6 +363,7 @@ namespace Heddle
           if (constraint.fixed[d])
             largest[2] = std::max(largest[2], std::abs(constraint.pending[d]));
       max_over_ranks(largest, communicator);
+      sum_over_ranks(sums, communicator);
 
       double typical = 0.;
       for (const auto &contribution : contributions)
@@ -353,7 +374,9 @@ namespace Heddle
       Residual residual;
       residual.largest_force = largest[0];
       residual.ratio         = typical > 0. ? largest[0] / typical : 0.;
-      residual.pending       = largest[2] / length_scale;
+      residual.mean_ratio =
+        typical > 0. ? std::sqrt(sums[0] / sums[1]) / typical : 0.;
+      residual.pending = largest[2] / length_scale;
       return residual;
     }
 
@@ -382,89 +405,6 @@ namespace Heddle
 
 
 
-    double
-    Newton::line_search(System::State           &state,
-                        const Contributions     &contributions,
-                        const System::Increment &increment,
-                        const double             largest)
-    {
-      SectionTimer::Scope scope(timer, "line search");
-
-      // The derivative of the energy along the step: smooth terms by their
-      // quadratic model, rough ones as they are.
-      std::vector<Tensor<1, 3>> unbalanced;
-      block_system->unbalanced(unbalanced);
-      const auto rough_part = [&]() {
-        std::array<double, 2> sum = {};
-        for (const auto &contribution : contributions)
-          if (contribution->is_rough())
-            {
-              const auto part =
-                contribution->slope_and_curvature(state, increment);
-              sum[0] += part.first;
-              sum[1] += part.second;
-            }
-        sum_over_ranks(sum, communicator);
-        return sum;
-      };
-      double slope = 0.;
-      for (unsigned int b = 0; b < unbalanced.size(); ++b)
-        slope += unbalanced[b] * increment[b];
-      slope = Utilities::MPI::sum(slope, communicator);
-
-      Vec image;
-      VecDuplicate(block_system->solution(), &image);
-      MatMult(block_system->tangent(), block_system->solution(), image);
-      double curvature;
-      VecDot(block_system->solution(), image, &curvature);
-      VecDestroy(&image);
-      curvature -= damping_curvature(state, increment);
-
-      const std::array<double, 2> rough_at_start = rough_part();
-      const double                smooth_slope   = slope - rough_at_start[0];
-      const double smooth_curvature            = curvature - rough_at_start[1];
-      const std::vector<Tensor<1, 3>> start    = state.current();
-      const auto                      slope_at = [&](const double factor) {
-        state.move(factor, increment);
-        for (const auto &contribution : contributions)
-          if (contribution->is_rough())
-            contribution->probe(state);
-        state.set(start);
-        return smooth_slope + factor * smooth_curvature + rough_part()[0];
-      };
-
-      // Where the slope is still negative the energy still falls; a small
-      // positive one is as good. Else go to the root of the slope.
-      double low = 0., slope_low = slope, high = largest;
-      double slope_high = slope_at(high);
-      for (unsigned int trial = 0;
-           trial < 6 && slope_high > flat * std::abs(slope);
-           ++trial)
-        {
-          const double guess =
-            low + (high - low) * slope_low / (slope_low - slope_high);
-          const double next =
-            std::min(std::max(guess, low + 0.1 * (high - low)),
-                     low + 0.7 * (high - low));
-          const double slope_next = slope_at(next);
-          if (slope_next < -flat * std::abs(slope))
-            {
-              low       = next;
-              slope_low = slope_next;
-              if (trial == 5)
-                return low;
-            }
-          else
-            {
-              high       = next;
-              slope_high = slope_next;
-            }
-        }
-      return high;
-    }
-
-
-
     void
     Newton::report(const unsigned int   iteration,
                    const Residual      &residual,
@@ -475,6 +415,8 @@ namespace Heddle
           << std::setprecision(1) << "  residual " << residual.ratio;
       if (iteration > 0)
         log << "  increment " << result.increment;
+      if (softness > 0.)
+        log << "  softness " << softness;
       for (const auto &contribution : contributions)
         if (!contribution->status().empty())
           log << "  " << contribution->status();

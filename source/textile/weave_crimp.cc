@@ -20,7 +20,6 @@ namespace Heddle
           return;
         }
       if (!raise_until(&Weave::is_clear, /*normal=*/true, 1., 1.5) &&
-          !raise_until(&Weave::is_clear, /*normal=*/false, 1., 6.) &&
           !raise_until(&Weave::is_in_order, /*normal=*/false, 1., 6.))
         throw InputError(
           "Weave: no crimp gets the yarns past each other at spacings of " +

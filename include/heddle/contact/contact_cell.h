@@ -62,6 +62,9 @@ namespace Heddle
              const double                p,
              const double                q);
 
+    /** Each stretch of overlap is integrated with so many elements. */
+    constexpr unsigned int n_elements_per_stretch = 4;
+
     /**
      * Append the contact elements of one cell to @p elements and return the
      * largest penetration in it [mm], 0 if the fibers do not touch there.
@@ -77,8 +80,8 @@ namespace Heddle
      * between, so that forces are continuous in the configuration and no angle
      * separates two treatments.
      *
-     * A cell without overlap, but with surfaces closer than @p near [mm], gets
-     * one open element where they are closest.
+     * Surfaces that wear a skin overlap where their gap is less than @p skin
+     * [mm].
      *
      * Gap, normal, weight and particles of the elements are set; force and
      * penalty are not.
@@ -87,7 +90,7 @@ namespace Heddle
     place_in_cell(const IntermediateGeometry  &geometry,
                   const CellEnd               &begin,
                   const CellEnd               &end,
-                  const double                 near,
+                  const double                 skin,
                   std::vector<ContactElement> &elements);
   } // namespace Contact
 } // namespace Heddle

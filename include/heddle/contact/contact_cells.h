@@ -80,13 +80,13 @@ namespace Heddle
 
       /**
        * Append the elements of all cells to @p elements, with forces by the law
-       * that becomes linear at half of @p threshold times the radius. Surfaces
-       * closer than @p near times the radius make open elements.
+       * that becomes linear at half of @p threshold times the radius, on
+       * surfaces that wear a skin of @p skin times the radius.
        */
       void
       place_elements(const CurveList             &curves,
                      const double                 threshold,
-                     const double                 near,
+                     const double                 skin,
                      std::vector<ContactElement> &elements);
 
       /**
@@ -108,11 +108,14 @@ namespace Heddle
         return all_cells;
       }
 
-      /** Law of a zone at this threshold. */
+      /** Law of a zone at this threshold and skin, both over the radius. */
       NormalLaw
-      law(const unsigned int zone, const double threshold) const
+      law(const unsigned int zone,
+          const double       threshold,
+          const double       skin) const
       {
-        return {0.5 * threshold * all_zones[zone].radius};
+        const double radius = all_zones[zone].radius;
+        return {0.5 * threshold * radius, skin * radius};
       }
 
       /** Set the penalties from which the next search hands on [N/mm^2]. */

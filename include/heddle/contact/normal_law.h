@@ -12,38 +12,43 @@ namespace Heddle
      * @f[ p = k \frac{d^2}{2 d_0} \;(d < d_0), \qquad
      *     p = k \left(d - \frac{d_0}{2}\right) \;(d \ge d_0), @f]
      * so that force and stiffness are continuous when contact begins.
+     *
+     * While a solver looks for the equilibrium, surfaces may wear a skin of
+     * thickness s: the quadratic part then begins at the gap s and ends at
+     * d_0 + s, with d + s for d and d_0 + 2 s for d_0. The linear part is the
+     * same for all s.
      */
     struct NormalLaw
     {
       /** d_0 [mm]: where the law becomes linear. */
       double transition;
 
-      /** @return p [N/mm] for penalty k [N/mm^2], penetration d >= 0 [mm]. */
+      /** s [mm] */
+      double skin = 0.;
+
+      /** @return p [N/mm] for penalty k [N/mm^2], penetration d >= -s [mm]. */
       double
       pressure(const double penalty, const double penetration) const
       {
-        return penetration < transition
-                 ? penalty * penetration * penetration / (2. * transition)
-                 : penalty * (penetration - 0.5 * transition);
+        const double d = penetration + skin, d_0 = transition + 2. * skin;
+        return penalty * (d < d_0 ? d * d / (2. * d_0) : d - 0.5 * d_0);
       }
 
       /** @return dp/dd [N/mm^2]. */
       double
       stiffness(const double penalty, const double penetration) const
       {
-        return penetration < transition ? penalty * penetration / transition
-                                        : penalty;
+        const double d = penetration + skin, d_0 = transition + 2. * skin;
+        return penalty * (d < d_0 ? d / d_0 : 1.);
       }
 
       /** @return the energy per length, the integral of p [N]. */
       double
       energy(const double penalty, const double penetration) const
       {
-        if (penetration < transition)
-          return penalty * penetration * penetration * penetration /
-                 (6. * transition);
-        return penalty * (0.5 * penetration * (penetration - transition) +
-                          transition * transition / 6.);
+        const double d = penetration + skin, d_0 = transition + 2. * skin;
+        return penalty * (d < d_0 ? d * d * d / (6. * d_0)
+                                  : 0.5 * d * (d - d_0) + d_0 * d_0 / 6.);
       }
     };
   } // namespace Contact

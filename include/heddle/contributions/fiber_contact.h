@@ -65,15 +65,16 @@ namespace Heddle
                System::BlockSystem &system) override;
 
       void
-      set_caution(const double value) override
+      set_softness(const double value) override
       {
-        caution = value;
+        softness = value;
       }
 
+      /** Nothing is rough as long as no fibers come near each other. */
       bool
       is_rough() const override
       {
-        return true;
+        return statistics.n_watched > 0.;
       }
 
       std::pair<double, double>
@@ -124,9 +125,9 @@ namespace Heddle
       /** Over all ranks, of the elements as last placed. */
       struct Statistics
       {
-        double n_elements      = 0.; /**< open ones included */
-        double n_active        = 0.;
-        double mean_force      = 0.; /**< of the active ones [N] */
+        double n_watched       = 0.; /**< cells */
+        double n_active        = 0.; /**< stretches of overlap in them */
+        double mean_force      = 0.; /**< of a stretch [N] */
         double deepest         = 0.; /**< largest penetration over radius [-] */
         double least_penalty   = 0.;
         double largest_penalty = 0.;
@@ -155,6 +156,13 @@ namespace Heddle
       double
       first_penalty(const unsigned int a, const unsigned int b) const;
 
+      Contact::NormalLaw
+      law(const Contact::ContactElement &element) const;
+
+      /** As the normal law takes it [mm]. */
+      double
+      penetration(const Contact::ContactElement &element) const;
+
       /** Derivative of an element's force by its penetration [N/mm]. */
       double
       stiffness(const Contact::ContactElement &element) const;
@@ -170,7 +178,7 @@ namespace Heddle
       const Contact::ContactParameters &parameters;
       double                            threshold;
       const double                      largest_radius;
-      double                            caution = 0.;
+      double                            softness = 0.;
       Contact::ContactCells::Filter     filter;
 
       bool                                 searched = false;

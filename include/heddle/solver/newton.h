@@ -4,8 +4,9 @@
 #include <heddle/base/log.h>
 #include <heddle/base/signals.h>
 #include <heddle/base/timer.h>
+#include <heddle/solver/fiber_damping.h>
+#include <heddle/solver/line_search.h>
 #include <heddle/solver/linear_solver.h>
-#include <heddle/system/contribution.h>
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -30,9 +31,6 @@ namespace Heddle
       double       damping             = 3e-4;
     };
 
-    /** The contributions of a scene, in the order of assembly. */
-    using Contributions = std::vector<std::shared_ptr<System::Contribution>>;
-
     /** What Newton's method did. */
     struct NewtonResult
     {
@@ -49,9 +47,10 @@ namespace Heddle
      * Newton's method on the sum of all contributions.
      *
      * Without rough terms (contact) it takes full steps, as mixed integration
-     * points want it. With them it is damped by a term that fades as the
-     * iteration calms down, bounded by what the terms allow, and shortened to
-     * where the energy along the step stops falling.
+     * points want it. With them fibers are damped one by one, and steps go to
+     * where the energy stops falling. From a state that is far from equilibrium
+     * rough terms begin soft and harden by halves whenever the forces balance
+     * on average: each of these problems is nearly solved by the one before.
      */
     class Newton
     {
@@ -90,6 +89,7 @@ namespace Heddle
       {
         double largest_force = 0.; /**< unbalanced nodal force [N] */
         double ratio         = 0.; /**< over the typical force [-] */
+        double mean_ratio    = 0.; /**< root mean square instead [-] */
         double pending       = 0.; /**< prescribed motion left, in radii [-] */
       };
 
@@ -99,28 +99,24 @@ namespace Heddle
       void
       assemble(System::State &state, const Contributions &contributions);
 
-      /** From 1, unsettled, to 0: damping and the caution of all terms. */
+      /** How soft rough terms are, from 1 to 0. */
       void
-      set_caution(const Contributions &contributions, const double caution);
+      set_softness(const Contributions &contributions, const double value);
 
-      /** Call @p action(position block, stiffness that holds it back). */
-      template <typename Action>
-      void
-      for_each_damped_block(const System::State &state,
-                            const Action        &action) const;
+      /** Let terms improve their guesses, and assemble again if they do. */
+      bool
+      adapt(System::State &state, const Contributions &contributions);
 
+      /** The part of @p increment that may be taken, and is of use. */
       double
-      damping_curvature(const System::State     &state,
-                        const System::Increment &increment) const;
+      step_length(System::State           &state,
+                  const Contributions     &contributions,
+                  const System::Increment &increment,
+                  const double             motion,
+                  const bool               search);
 
       Residual
       judge(const System::State &state, const Contributions &contributions);
-
-      double
-      line_search(System::State           &state,
-                  const Contributions     &contributions,
-                  const System::Increment &increment,
-                  const double             largest);
 
       double
       largest_motion(const System::State     &state,
@@ -141,9 +137,10 @@ namespace Heddle
 
       std::unique_ptr<System::BlockSystem>         block_system;
       std::unique_ptr<LinearSolver>                linear_solver;
+      std::unique_ptr<FiberDamping>                damping;
       unsigned int                                 ghost_version = 0;
       std::vector<System::BlockSystem::Constraint> constraints;
-      double                                       damping      = 0.;
+      double                                       softness     = 0.;
       double                                       length_scale = 1.;
       double                                       stiffest = 0.; /**< EA [N] */
     };

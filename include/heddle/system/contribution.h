@@ -5,6 +5,7 @@
 #include <heddle/system/block_system.h>
 #include <heddle/system/state.h>
 
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -85,21 +86,22 @@ namespace Heddle
       }
 
       /**
-       * Largest factor in (0, 1] by which the step @p increment may be taken.
-       * Local: the solver takes the smallest over ranks and contributions.
+       * Largest factor by which the step @p increment may be taken, perhaps
+       * more than 1. Local: the solver takes the smallest over ranks and
+       * contributions.
        */
       virtual double
       largest_step(const State &, const Increment &) const
       {
-        return 1.;
+        return std::numeric_limits<double>::max();
       }
 
       /**
-       * How unsettled the iteration is, from 1 down to 0 in equilibrium: by
-       * that much a rough term may stiffen its tangent beyond its own.
+       * From 1 down to 0: a rough term may be so much smoother than it is,
+       * while the iteration is on its way. Equilibrium is judged at 0.
        */
       virtual void
-      set_caution(const double)
+      set_softness(const double)
       {
       }
 

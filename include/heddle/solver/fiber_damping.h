@@ -1,0 +1,63 @@
+#ifndef heddle_solver_fiber_damping_h
+#define heddle_solver_fiber_damping_h
+
+#include <heddle/system/contribution.h>
+
+#include <vector>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    using namespace dealii;
+
+    /**
+     * A stiffness that holds the nodes of each fiber back in an iteration,
+     * after Levenberg (1944) and Marquardt (1963), but fiber by fiber: a fiber
+     * that wants to move far is held the more the farther, one that is at rest
+     * is let go. So a few fibers that still travel along soft modes do not keep
+     * the others from their equilibrium. It is a part of the tangent only.
+     *
+     * Every rank keeps the values of its own fibers.
+     */
+    class FiberDamping
+    {
+    public:
+      FiberDamping(const System::FiberSpace &space);
+
+      /** Start anew with @p value, in units of E A / R^2 per length. */
+      void
+      reset(const double value);
+
+      /** Add the stiffness to the position blocks. */
+      void
+      add_to(System::BlockSystem &system, const System::State &state) const;
+
+      /** Local part of @p increment . stiffness . @p increment [N mm]. */
+      double
+      curvature(const System::State     &state,
+                const System::Increment &increment) const;
+
+      /**
+       * Learn from the solution @p increment of a linear system, of which the
+       * part @p taken was a step. Lengths are in units of @p radius [mm].
+       */
+      void
+      adapt(const System::State     &state,
+            const System::Increment &increment,
+            const double             taken,
+            const double             radius);
+
+    private:
+      /** Call @p action(position block, stiffness) for all owned nodes. */
+      template <typename Action>
+      void
+      for_each_node(const System::State &state, const Action &action) const;
+
+      const System::FiberSpace &space;
+      std::vector<double>       values; /**< of owned fibers [-] */
+    };
+  } // namespace Solver
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,66 @@
+#ifndef heddle_solver_line_search_h
+#define heddle_solver_line_search_h
+
+#include <heddle/system/contribution.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    using namespace dealii;
+
+    /** The contributions of a scene, in the order of assembly. */
+    using Contributions = std::vector<std::shared_ptr<System::Contribution>>;
+
+    /**
+     * Looks along the solution of a linear system for the place where the
+     * energy stops falling: smooth terms by their quadratic model, of which the
+     * tangent is known, rough ones as they are.
+     */
+    class LineSearch
+    {
+    public:
+      /**
+       * Begin in the current configuration, in which residual and tangent were
+       * assembled and solved for @p increment. @p damping is the curvature
+       * along it, over all ranks, of what was added to the tangent [N mm].
+       * @note Collective, like all of this class.
+       */
+      LineSearch(System::State             &state,
+                 const Contributions       &contributions,
+                 const System::BlockSystem &system,
+                 const System::Increment   &increment,
+                 const double               damping);
+
+      /**
+       * Part of the increment to be taken: about 1, less where the energy rises
+       * before, more, up to @p longest, where it still falls steeply.
+       */
+      double
+      best_step(const double longest);
+
+    private:
+      /** Slope and curvature of the rough terms in the current state. */
+      std::array<double, 2>
+      rough_part() const;
+
+      /** Slope of the whole energy after the part @p factor of the step. */
+      double
+      slope_at(const double factor);
+
+      System::State                  &state;
+      const Contributions            &contributions;
+      const System::Increment        &increment;
+      const std::vector<Tensor<1, 3>> start;
+      double                          first_slope      = 0.;
+      double                          smooth_slope     = 0.;
+      double                          smooth_curvature = 0.;
+    };
+  } // namespace Solver
+} // namespace Heddle
+
+#endif
