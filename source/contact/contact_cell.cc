@@ -131,18 +131,25 @@ namespace Heddle
         void
         fill_smooth(const CellEnd &begin, const CellEnd &end);
 
-        /** Place the elements of the overlap between t = low and t = high. */
+        /**
+         * Square of the distance less that of the reach, as the cubic that
+         * interpolates values and slopes.
+         */
+        internal::ContactCell::Cubic
+        overlap(const CellEnd &left, const CellEnd &right) const;
+
+        /** Place the elements of the overlap between p = low and p = high. */
         void
         fill_stretch(const CellEnd &begin,
                      const CellEnd &end,
                      const double   low,
                      const double   high);
 
-        /** The element at the part @p t of the range of p. */
+        /** The element at @p p, between two ends. */
         ContactElement
         element_at(const CellEnd &begin,
                    const CellEnd &end,
-                   const double   t,
+                   const double   p,
                    const double   weight) const;
 
         const IntermediateGeometry  &geometry;
@@ -156,19 +163,19 @@ namespace Heddle
       ContactElement
       CellFiller::element_at(const CellEnd &begin,
                              const CellEnd &end,
-                             const double   t,
+                             const double   p,
                              const double   weight) const
       {
-        double                q = begin.q + t * (end.q - begin.q);
-        const FacingParticles particles =
-          geometry.facing(begin.p + t * (end.p - begin.p), q);
-        const double   distance = std::sqrt(particles.squared_distance);
-        ContactElement element  = {};
-        element.s_a             = particles.s_a;
-        element.s_b             = particles.s_b;
-        element.weight          = weight;
-        element.gap             = distance - distance_at_contact;
-        element.normal          = particles.connection / distance;
+        const double          t         = (p - begin.p) / (end.p - begin.p);
+        double                q         = begin.q + t * (end.q - begin.q);
+        const FacingParticles particles = geometry.facing(p, q);
+        const double          distance  = std::sqrt(particles.squared_distance);
+        ContactElement        element   = {};
+        element.s_a                     = particles.s_a;
+        element.s_b                     = particles.s_b;
+        element.weight                  = weight;
+        element.gap                     = distance - distance_at_contact;
+        element.normal                  = particles.connection / distance;
         return element;
       }
 
@@ -206,53 +213,81 @@ namespace Heddle
 
 
 
+      internal::ContactCell::Cubic
+      CellFiller::overlap(const CellEnd &left, const CellEnd &right) const
+      {
+        const double size = right.p - left.p;
+        const double f0   = left.squared_distance - reach * reach,
+                     f1   = right.squared_distance - reach * reach,
+                     m0 = size * left.slope, m1 = size * right.slope;
+        return {
+          f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
+      }
+
+
+
       void
       CellFiller::fill_smooth(const CellEnd &begin, const CellEnd &end)
       {
         using namespace internal::ContactCell;
-        const double size = end.p - begin.p;
-        const double f0   = begin.squared_distance - reach * reach,
-                     f1   = end.squared_distance - reach * reach,
-                     m0 = size * begin.slope, m1 = size * end.slope;
+        const Cubic  f  = overlap(begin, end);
+        const double f1 = f(1.);
 
-        // The control polygon bounds the cubic: most cells end here.
-        const double least = std::min({f0, f0 + m0 / 3., f1 - m1 / 3., f1});
-        if (least >= 0.)
+        // The control polygon bounds the cubic: most cells end here. Curved
+        // fibers come a little closer than the cubic says.
+        const double allowance = 0.2 * reach * distance_at_contact;
+        if (std::min({f.c0, f.c0 + f.c1 / 3., f1 - f.slope(1.) / 3., f1}) >=
+            allowance)
           return;
-        const Cubic f = {
-          f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
+
+        // Overlap begins at the ends or where the distance is least: there the
+        // cubic has to be exact, or else a stretch is born with a force.
+        std::array<CellEnd, 3> ends   = {{begin, end, end}};
+        unsigned int           n_ends = 2;
+        std::array<double, 2>  stationary;
+        double             cut = 0., least = std::min({f.c0, f1, allowance});
+        const unsigned int n_stationary = stationary_points(f, stationary);
+        for (unsigned int k = 0; k < n_stationary; ++k)
+          if (f(stationary[k]) < least)
+            {
+              cut   = stationary[k];
+              least = f(cut);
+            }
+        if (cut > 0.)
+          ends[n_ends++ - 1] = cell_end(geometry,
+                                        begin.p + cut * (end.p - begin.p),
+                                        begin.q + cut * (end.q - begin.q));
 
         // Walk over the monotone pieces and collect stretches with f < 0.
-        std::array<double, 2> stationary;
-        const unsigned int    n_stationary = stationary_points(f, stationary);
-        const auto            n_before     = elements.size();
-        double                from = 0., low = 0.;
-        bool                  inside = f0 < 0.;
-        for (unsigned int piece = 0; piece <= n_stationary; ++piece)
+        bool   inside = f.c0 < 0.;
+        double from   = begin.p;
+        for (unsigned int part = 0; part + 1 < n_ends; ++part)
           {
-            const double high = piece < n_stationary ? stationary[piece] : 1.;
-            if ((f(high) < 0.) != inside)
+            const CellEnd     &left = ends[part], &right = ends[part + 1];
+            const Cubic        g        = overlap(left, right);
+            const unsigned int n_pieces = stationary_points(g, stationary) + 1;
+            double             low      = 0.;
+            for (unsigned int piece = 0; piece < n_pieces; ++piece)
               {
-                const double root = root_between(f, low, high);
-                if (inside)
-                  fill_stretch(begin, end, from, root);
-                from   = root;
-                inside = !inside;
+                const double high =
+                  piece + 1 < n_pieces ? stationary[piece] : 1.;
+                if ((g(high) < 0.) != inside)
+                  {
+                    const double at =
+                      left.p + root_between(g, low, high) * (right.p - left.p);
+                    if (inside)
+                      fill_stretch(begin, end, from, at);
+                    from   = at;
+                    inside = !inside;
+                  }
+                low = high;
               }
-            low = high;
           }
         if (inside)
-          fill_stretch(begin, end, from, 1.);
-        if (elements.size() == n_before)
-          return;
-
-        for (unsigned int k = 0; k < n_stationary; ++k)
-          if (f(stationary[k]) < 0.)
-            deepest =
-              std::max(deepest, -element_at(begin, end, stationary[k], 0.).gap);
-        for (const CellEnd *side : {&begin, &end})
+          fill_stretch(begin, end, from, end.p);
+        for (unsigned int k = 0; k < n_ends; ++k)
           deepest = std::max(
-            deepest, distance_at_contact - std::sqrt(side->squared_distance));
+            deepest, distance_at_contact - std::sqrt(ends[k].squared_distance));
       }
 
 
@@ -263,16 +298,14 @@ namespace Heddle
                                const double   low,
                                const double   high)
       {
-        using namespace internal::ContactCell;
         const double half = 0.5 * (high - low);
-        for (const GaussPoint &point : gauss_points)
+        for (const auto &point : internal::ContactCell::gauss_points)
           {
             // p measures twice the length of the intermediate curve.
-            elements.push_back(
-              element_at(begin,
-                         end,
-                         low + half * (1. + point.first),
-                         0.5 * point.second * half * (end.p - begin.p)));
+            elements.push_back(element_at(begin,
+                                          end,
+                                          low + half * (1. + point.first),
+                                          0.5 * point.second * half));
             deepest = std::max(deepest, -elements.back().gap);
           }
       }
