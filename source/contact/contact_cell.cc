@@ -15,11 +15,11 @@ namespace Heddle
         using GaussPoint = std::pair<double, double>;
 
         /** Places and weights of the elements of a stretch, from -1 to 1. */
-        constexpr std::array<GaussPoint, n_elements_per_stretch> gauss_points =
-          {{{-0.8611363115940526, 0.3478548451374538},
-            {-0.3399810435848563, 0.6521451548625461},
-            {0.3399810435848563, 0.6521451548625461},
-            {0.8611363115940526, 0.3478548451374538}}};
+        constexpr std::array<GaussPoint, 4> gauss_points = {
+          {{-0.8611363115940526, 0.3478548451374538},
+           {-0.3399810435848563, 0.6521451548625461},
+           {0.3399810435848563, 0.6521451548625461},
+           {0.8611363115940526, 0.3478548451374538}}};
 
 
 
@@ -112,8 +112,10 @@ namespace Heddle
       public:
         CellFiller(const IntermediateGeometry  &geometry,
                    const double                 skin,
+                   const bool                   aligned,
                    std::vector<ContactElement> &elements)
           : geometry(geometry)
+          , aligned(aligned)
           , distance_at_contact(geometry.a.radius + geometry.b.radius)
           , reach(distance_at_contact + skin)
           , elements(elements)
@@ -153,6 +155,7 @@ namespace Heddle
                    const double   weight) const;
 
         const IntermediateGeometry  &geometry;
+        const bool                   aligned;
         const double                 distance_at_contact;
         const double                 reach;
         std::vector<ContactElement> &elements;
@@ -240,54 +243,41 @@ namespace Heddle
             allowance)
           return;
 
-        // Overlap begins at the ends or where the distance is least: there the
-        // cubic has to be exact, or else a stretch is born with a force.
-        std::array<CellEnd, 3> ends   = {{begin, end, end}};
-        unsigned int           n_ends = 2;
-        std::array<double, 2>  stationary;
-        double             cut = 0., least = std::min({f.c0, f1, allowance});
-        const unsigned int n_stationary = stationary_points(f, stationary);
-        for (unsigned int k = 0; k < n_stationary; ++k)
-          if (f(stationary[k]) < least)
-            {
-              cut   = stationary[k];
-              least = f(cut);
-            }
-        if (cut > 0.)
-          ends[n_ends++ - 1] = cell_end(geometry,
-                                        begin.p + cut * (end.p - begin.p),
-                                        begin.q + cut * (end.q - begin.q));
+        for (const CellEnd *side : {&begin, &end})
+          deepest = std::max(
+            deepest, distance_at_contact - std::sqrt(side->squared_distance));
+        if (aligned)
+          {
+            fill_stretch(begin, end, begin.p, end.p);
+            return;
+          }
 
         // Walk over the monotone pieces and collect stretches with f < 0.
-        bool   inside = f.c0 < 0.;
-        double from   = begin.p;
-        for (unsigned int part = 0; part + 1 < n_ends; ++part)
+        std::array<double, 2> stationary;
+        const unsigned int    n_pieces = stationary_points(f, stationary) + 1;
+        const double          size     = end.p - begin.p;
+        bool                  inside   = f.c0 < 0.;
+        double                from = begin.p, low = 0.;
+        for (unsigned int piece = 0; piece < n_pieces; ++piece)
           {
-            const CellEnd     &left = ends[part], &right = ends[part + 1];
-            const Cubic        g        = overlap(left, right);
-            const unsigned int n_pieces = stationary_points(g, stationary) + 1;
-            double             low      = 0.;
-            for (unsigned int piece = 0; piece < n_pieces; ++piece)
+            const double high = piece + 1 < n_pieces ? stationary[piece] : 1.;
+            if ((f(high) < 0.) != inside)
               {
-                const double high =
-                  piece + 1 < n_pieces ? stationary[piece] : 1.;
-                if ((g(high) < 0.) != inside)
-                  {
-                    const double at =
-                      left.p + root_between(g, low, high) * (right.p - left.p);
-                    if (inside)
-                      fill_stretch(begin, end, from, at);
-                    from   = at;
-                    inside = !inside;
-                  }
-                low = high;
+                const double at = begin.p + root_between(f, low, high) * size;
+                if (inside)
+                  fill_stretch(begin, end, from, at);
+                from   = at;
+                inside = !inside;
               }
+            low = high;
           }
         if (inside)
           fill_stretch(begin, end, from, end.p);
-        for (unsigned int k = 0; k < n_ends; ++k)
-          deepest = std::max(
-            deepest, distance_at_contact - std::sqrt(ends[k].squared_distance));
+        for (unsigned int k = 0; k + 1 < n_pieces; ++k)
+          if (f(stationary[k]) < 0.)
+            deepest = std::max(
+              deepest,
+              -element_at(begin, end, begin.p + stationary[k] * size, 0.).gap);
       }
 
 
@@ -302,11 +292,14 @@ namespace Heddle
         for (const auto &point : internal::ContactCell::gauss_points)
           {
             // p measures twice the length of the intermediate curve.
-            elements.push_back(element_at(begin,
-                                          end,
-                                          low + half * (1. + point.first),
-                                          0.5 * point.second * half));
-            deepest = std::max(deepest, -elements.back().gap);
+            const ContactElement element =
+              element_at(begin,
+                         end,
+                         low + half * (1. + point.first),
+                         0.5 * point.second * half);
+            deepest = std::max(deepest, -element.gap);
+            if (element.gap < reach - distance_at_contact)
+              elements.push_back(element);
           }
       }
     } // namespace
@@ -318,9 +311,10 @@ namespace Heddle
                   const CellEnd               &begin,
                   const CellEnd               &end,
                   const double                 skin,
+                  const bool                   aligned,
                   std::vector<ContactElement> &elements)
     {
-      CellFiller filler(geometry, skin, elements);
+      CellFiller filler(geometry, skin, aligned, elements);
       filler.fill(begin, end);
       return filler.deepest;
     }

@@ -161,10 +161,12 @@ namespace Heddle
       const IntermediateGeometry between = geometry(curves, cell);
       const Curve               &a = between.a, &b = between.b;
 
-      // Across one cell the fibers part by no more than about a radius.
+      // From the middle of one cell to its end the fibers part by no more than
+      // half a radius.
       const double whole  = whole_cell(a, b);
       const double radius = std::min(a.radius, b.radius);
-      while (std::ldexp(0.5 * whole * zone.sine, -int(cell.level)) > radius)
+      while (std::ldexp(0.5 * whole * zone.sine, -int(cell.level)) >
+             0.5 * radius)
         ++cell.level;
       const double size = std::ldexp(whole, -int(cell.level));
 
@@ -283,18 +285,23 @@ namespace Heddle
             continues ? end : cell_end(between, p.first, cell.q_begin);
           end = cell_end(between, p.second, cell.q_end);
 
-          Zone        &zone  = all_zones[cell.zone];
-          const auto   first = elements.size();
-          const double penetration =
-            place_in_cell(between, begin, end, skin * zone.radius, elements);
-          zone.penetration    = std::max(zone.penetration, penetration);
-          const NormalLaw law = this->law(cell.zone, threshold, skin);
+          Zone        &zone        = all_zones[cell.zone];
+          const auto   first       = elements.size();
+          const double penetration = place_in_cell(between,
+                                                   begin,
+                                                   end,
+                                                   skin * zone.radius,
+                                                   /*aligned=*/cell.level == 0,
+                                                   elements);
+          zone.penetration         = std::max(zone.penetration, penetration);
+          const NormalLaw law      = this->law(cell.zone, threshold, skin);
           for (auto k = first; k < elements.size(); ++k)
             {
               ContactElement &element = elements[k];
               element.fiber_a         = cell.fiber_a;
               element.fiber_b         = cell.fiber_b;
               element.zone            = cell.zone;
+              element.cell            = c;
               element.penalty         = cell.penalty;
               element.force =
                 element.weight *

@@ -304,10 +304,14 @@ namespace Heddle
     {
       std::array<double, 4> sums     = {};
       std::array<double, 3> extremes = {{0., 0., -1e300}};
+      // The elements of a cell follow each other: together they are one
+      // contact.
+      unsigned int last_cell = numbers::invalid_unsigned_int;
       for (const Contact::ContactElement &element : contact_elements)
         if (space.owns(element.fiber_a))
           {
-            sums[0] += 1. / Contact::n_elements_per_stretch;
+            sums[0] += element.cell != last_cell ? 1. : 0.;
+            last_cell = element.cell;
             sums[1] += element.force;
             sums[2] +=
               element.weight *

@@ -62,26 +62,25 @@ namespace Heddle
              const double                p,
              const double                q);
 
-    /** Each stretch of overlap is integrated with so many elements. */
-    constexpr unsigned int n_elements_per_stretch = 4;
-
     /**
      * Append the contact elements of one cell to @p elements and return the
      * largest penetration in it [mm], 0 if the fibers do not touch there.
-     *
-     * Where the surfaces overlap, within the cell, is found from the cubic that
-     * interpolates the squared distance and its slope at the cell's ends: exact
-     * for straight fibers at any angle. Where the end of a fiber comes to face
-     * the other one, the distance is no such cubic: the cell is cut there. Each
-     * stretch of overlap gets four elements, at its Gauss points: a crossing
-     * that slides from one cell into the next then feels less than 1 % of that,
-     * with two it would be 18 %. A cell of two parallel fibers is one stretch;
-     * a crossing is a short one inside a cell; and everything between is
-     * between, so that forces are continuous in the configuration and no angle
-     * separates two treatments.
-     *
-     * Surfaces that wear a skin overlap where their gap is less than @p skin
+     * Surfaces that wear a skin touch where their gap is less than @p skin
      * [mm].
+     *
+     * Across the cell of two @p aligned fibers the gap changes by little: its
+     * four Gauss points are elements where they touch. That is as smooth as the
+     * normal law, however curved the fibers.
+     *
+     * Fibers at an angle touch in a short stretch inside the cell. Where it is
+     * is found from the cubic that interpolates the squared distance and its
+     * slope at the cell's ends: exact for straight fibers at any angle. The
+     * stretch gets four elements, at its Gauss points: a crossing that slides
+     * from one cell into the next then feels less than 1 % of that, with two it
+     * would be 18 %.
+     *
+     * Where the end of a fiber comes to face the other one, the distance has a
+     * kink: the cell is cut there.
      *
      * Gap, normal, weight and particles of the elements are set; force and
      * penalty are not.
@@ -91,6 +90,7 @@ namespace Heddle
                   const CellEnd               &begin,
                   const CellEnd               &end,
                   const double                 skin,
+                  const bool                   aligned,
                   std::vector<ContactElement> &elements);
   } // namespace Contact
 } // namespace Heddle

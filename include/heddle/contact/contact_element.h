@@ -18,6 +18,7 @@ namespace Heddle
       unsigned int fiber_a;
       unsigned int fiber_b;
       unsigned int zone; /**< number of its proximity zone on this rank */
+      unsigned int cell; /**< number of its cell on this rank */
       double       s_a;  /**< arc length of the particle on a [mm] */
       double       s_b;  /**< arc length of the particle on b [mm] */
       double weight;     /**< tributary length of the intermediate curve [mm] */

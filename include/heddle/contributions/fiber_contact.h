@@ -126,8 +126,8 @@ namespace Heddle
       struct Statistics
       {
         double n_watched       = 0.; /**< cells */
-        double n_active        = 0.; /**< stretches of overlap in them */
-        double mean_force      = 0.; /**< of a stretch [N] */
+        double n_active        = 0.; /**< cells in which fibers touch */
+        double mean_force      = 0.; /**< of such a cell [N] */
         double deepest         = 0.; /**< largest penetration over radius [-] */
         double least_penalty   = 0.;
         double largest_penalty = 0.;
