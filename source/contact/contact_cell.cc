@@ -246,7 +246,7 @@ namespace Heddle
         for (const CellEnd *side : {&begin, &end})
           deepest = std::max(
             deepest, distance_at_contact - std::sqrt(side->squared_distance));
-        if (aligned)
+        if (aligned && begin.end == FacingEnd::none)
           {
             fill_stretch(begin, end, begin.p, end.p);
             return;

@@ -24,6 +24,14 @@ namespace Heddle
 
 
 
+      /** Largest parting of fibers across half an aligned cell, in radii. */
+      constexpr double aligned_parting = 0.2;
+
+      /** The squared distance is nearly a cubic within cells of this level. */
+      constexpr unsigned int least_level_of_crossing = 2;
+
+
+
       /** The middle of a cell, and the particles that face each other there. */
       struct CellPlace
       {
@@ -161,12 +169,15 @@ namespace Heddle
       const IntermediateGeometry between = geometry(curves, cell);
       const Curve               &a = between.a, &b = between.b;
 
-      // From the middle of one cell to its end the fibers part by no more than
-      // half a radius.
-      const double whole  = whole_cell(a, b);
-      const double radius = std::min(a.radius, b.radius);
-      while (std::ldexp(0.5 * whole * zone.sine, -int(cell.level)) >
-             0.5 * radius)
+      // Across an aligned cell the fibers part by little. At larger angles the
+      // stretch in which they touch has to be found in a cell: short ones, in
+      // which they part by no more than about a radius.
+      const double whole   = whole_cell(a, b);
+      const double radius  = std::min(a.radius, b.radius);
+      const double parting = 0.5 * whole * zone.sine;
+      if (parting > aligned_parting * radius)
+        cell.level = least_level_of_crossing;
+      while (std::ldexp(parting, -int(cell.level)) > radius)
         ++cell.level;
       const double size = std::ldexp(whole, -int(cell.level));
 
@@ -201,7 +212,7 @@ namespace Heddle
       // A zone that grew is as stiff in its new cells as in its old ones.
       if (known_penalty == 0.)
         known_penalty = first_penalty(zone.fiber_a, zone.fiber_b) *
-                        (cell.level > 0 ? crossing_factor : 1.);
+                        (parting > radius ? crossing_factor : 1.);
       for (auto k = first_of_zone; k < all_cells.size(); ++k)
         if (all_cells[k].penalty == 0.)
           all_cells[k].penalty = known_penalty;

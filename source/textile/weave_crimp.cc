@@ -19,7 +19,10 @@ namespace Heddle
             raise_until(&Weave::is_clear, /*normal=*/false, asked, asked);
           return;
         }
+      // Crimp that is high enough to be clear of a wide yarn close by takes
+      // long to settle: then it does if the fibers lie in the right order.
       if (!raise_until(&Weave::is_clear, /*normal=*/true, 1., 1.5) &&
+          !raise_until(&Weave::is_clear, /*normal=*/false, 1., 1.5) &&
           !raise_until(&Weave::is_in_order, /*normal=*/false, 1., 6.))
         throw InputError(
           "Weave: no crimp gets the yarns past each other at spacings of " +

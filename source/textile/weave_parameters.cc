@@ -40,7 +40,7 @@ namespace Heddle
                     "Geometry from which the initial configuration is "
                     "computed: 'interpenetrating' (straight yarns in one "
                     "plane) or 'crimped' (yarns bent over and under each "
-                    "other, clear of each other).",
+                    "other, every fiber on its side of those it crosses).",
                     prm,
                     Patterns::Selection("interpenetrating|crimped"));
       add_parameter("End length",
@@ -49,18 +49,19 @@ namespace Heddle
                     "the spacing of the yarns that it crosses, 0 to 10 [-].",
                     prm,
                     Patterns::Double(0., 10.));
-      add_parameter("Crimp factor",
-                    weave.crimp_factor,
-                    "Height of the yarn axes at the crossings over a quarter "
-                    "of the sum of a warp and a weft yarn's heights, 0 to 100. "
-                    "At 1 flat ribbons would just touch; wide yarns close to "
-                    "each other need about 2 to have every fiber on its side "
-                    "of every other, and 4 to be clear of each other. 0: the "
-                    "smallest at which no warp fiber touches a weft fiber or, "
-                    "if there is none up to 6, at which all are on their "
-                    "side. Inactive unless Start is 'crimped' [-].",
-                    prm,
-                    Patterns::Double(0., 100.));
+      add_parameter(
+        "Crimp factor",
+        weave.crimp_factor,
+        "Height of the yarn axes at the crossings over a quarter "
+        "of the sum of a warp and a weft yarn's heights, 0 to 100. "
+        "At 1 flat ribbons would just touch; wide yarns close to "
+        "each other need about 2 to have every fiber on its side "
+        "of every other, and 4 to be clear of each other. 0: the "
+        "smallest at which no warp fiber touches a weft fiber or, "
+        "if there is none up to 1.5, the smallest up to 6 at which "
+        "all are on their side. Inactive unless Start is 'crimped' [-].",
+        prm,
+        Patterns::Double(0., 100.));
       add_parameter("Crimp transition",
                     weave.crimp_transition,
                     "Part of the spacing over which a yarn changes its side, "

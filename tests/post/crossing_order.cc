@@ -65,7 +65,7 @@ main()
   count("plain", Textile::Start::crimped, 30.);
   count("twill 2/2", Textile::Start::crimped, 30.);
   count("plain", Textile::Start::interpenetrating, 30.);
-  // Too close to be clear of each other, not too close to be in order.
+  // The closer the yarns the steeper they cross.
   count("plain", Textile::Start::crimped, 27.);
 
   const std::vector<Post::Polyline> three = {

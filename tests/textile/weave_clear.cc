@@ -1,5 +1,6 @@
-// In the crimped start no warp fiber touches a weft fiber, for narrow and for
-// wide yarns, and within a yarn fibers keep their distance as documented.
+// In the crimped start no warp fiber touches a weft fiber, unless that takes
+// more than half as much crimp again as flat ribbons need: then it is in order
+// only (see post/crossing_order). Within a yarn fibers keep their distance.
 #include <heddle/textile/weave.h>
 
 #include "../tests.h"

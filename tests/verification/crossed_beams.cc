@@ -58,8 +58,9 @@ exact_force(const double penalty, const double threshold)
 void
 describe(Scene &scene, const unsigned int n_elements)
 {
-  scene.fibers.axial_modulus = modulus;
-  scene.newton.damping       = 0.;
+  scene.fibers.axial_modulus      = modulus;
+  scene.newton.damping            = 0.;
+  scene.newton.residual_tolerance = 1e-8;
   for (const std::string fiber : {"0", "1"})
     for (const std::string end : {"first end", "last end"})
       {
@@ -102,6 +103,8 @@ test(const unsigned int n_elements, const double threshold, const double before)
   for (const auto &element : touch->elements())
     penalty = std::max(penalty, element.penalty);
 
+  // The round-off of the axial forces, E A 1e-16 per node, is 1e-6 of the
+  // force.
   auto         values = scene.report();
   const double lower =
     values["support_1_force_z[N]"] + values["support_2_force_z[N]"];
@@ -111,7 +114,7 @@ test(const unsigned int n_elements, const double threshold, const double before)
   const double error = lower / exact - 1.;
   deallog << "elements " << n_elements << ", threshold " << threshold
           << ": converged " << result.converged << ", forces balance "
-          << (std::abs(upper / lower + 1.) < 1e-6) << ", error "
+          << (std::abs(upper / lower + 1.) < 1e-5) << ", error "
           << std::round(1e6 * error) << "e-6";
   if (before != 0.)
     deallog << ", order "
