@@ -144,11 +144,7 @@ namespace Heddle
     Solver::NewtonResult
     Computation::equilibrate(const Solver::Contributions &contributions)
     {
-      System::State &state = scene.state();
-      const bool     rough =
-        std::any_of(contributions.begin(),
-                    contributions.end(),
-                    [](const auto &one) { return one->is_rough(); });
+      System::State       &state = scene.state();
       Solver::NewtonResult total;
       for (unsigned int i = 0; i < n_searches && !total.converged; ++i)
         {
@@ -162,6 +158,12 @@ namespace Heddle
           total.residual_ratio = result.residual_ratio;
           total.obstacle       = result.obstacle;
           total.converged      = result.converged;
+
+          // Only now is it known whether fibers came near each other.
+          const bool rough =
+            std::any_of(contributions.begin(),
+                        contributions.end(),
+                        [](const auto &one) { return one->is_rough(); });
           if (!result.converged || !rough)
             return total;
 

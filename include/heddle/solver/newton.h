@@ -103,7 +103,7 @@ namespace Heddle
       void
       set_softness(const Contributions &contributions, const double value);
 
-      /** Let terms improve their guesses, and assemble again if they do. */
+      /** Let terms improve their guesses; whether one did. */
       bool
       adapt(System::State &state, const Contributions &contributions);
 
