@@ -19,23 +19,37 @@ namespace Heddle
 
       /** In between a fiber moves as if it was alone, or not at all. */
       constexpr double least = 1e-6, largest = 1e-2;
+
+
+
+      /** The least damping, from which it may rise again, counts as none. */
+      double
+      used(const double value)
+      {
+        return value > least ? value : 0.;
+      }
     } // namespace
 
 
 
-    FiberDamping::FiberDamping(const System::FiberSpace &space)
+    FiberDamping::FiberDamping(const System::FiberSpace &space,
+                               const double              first)
       : space(space)
+      , first(first)
     {
-      reset(0.);
+      reset(/*in_motion=*/false);
     }
 
 
 
     void
-    FiberDamping::reset(const double value)
+    FiberDamping::reset(const bool in_motion)
     {
       const auto owned = space.owned_fibers();
-      values.assign(owned.second - owned.first, std::max(value, least));
+      values.assign(owned.second - owned.first,
+                    first == 0. ? 0.
+                    : in_motion ? std::max(first, least)
+                                : least);
     }
 
 
@@ -50,7 +64,7 @@ namespace Heddle
         {
           const System::Fiber &fiber = space.fiber(f);
           const double         stiffness =
-            values[f - owned.first] * fiber.section.axial /
+            used(values[f - owned.first]) * fiber.section.axial /
             (fiber.radius * fiber.radius) * fiber.length / fiber.n_nodes;
           for (unsigned int i = 0; i < fiber.n_nodes; ++i)
             action(state.local_block(f) + i * space.n_blocks_per_node(),
@@ -93,6 +107,8 @@ namespace Heddle
                         const double             taken,
                         const double             radius)
     {
+      if (first == 0.)
+        return;
       const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {

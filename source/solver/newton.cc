@@ -68,8 +68,9 @@ namespace Heddle
                     damping,
                     "Stiffness per length that holds the nodes back in the "
                     "first iteration from an unsettled state, in units of "
-                    "E A / R^2; then it adapts to how each fiber moves. "
-                    "Inactive without contact [-].",
+                    "E A / R^2; then it adapts to how each fiber moves. With 0 "
+                    "nothing is ever held back. Inactive without contact "
+                    "[-].",
                     prm,
                     Patterns::Double(0.));
     }
@@ -102,7 +103,8 @@ namespace Heddle
             std::make_unique<System::BlockSystem>(state, /*symmetric=*/true);
           linear_solver =
             std::make_unique<LinearSolver>(linear_parameters, *block_system);
-          damping      = std::make_unique<FiberDamping>(state.space);
+          damping =
+            std::make_unique<FiberDamping>(state.space, parameters.damping);
           length_scale = state.space.fiber(0).radius;
           for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
             {
@@ -117,7 +119,7 @@ namespace Heddle
       unsigned int      adapted_at = 0;
 
       set_softness(contributions, 0.);
-      damping->reset(0.);
+      damping->reset(/*in_motion=*/false);
       for (unsigned int iteration = 0;; ++iteration)
         {
           if (stop.received())
@@ -132,7 +134,7 @@ namespace Heddle
           if (rough && iteration == 0 && residual.ratio >= unsettled)
             {
               set_softness(contributions, 1.);
-              damping->reset(parameters.damping);
+              damping->reset(/*in_motion=*/true);
               prepare(state, contributions);
               assemble(state, contributions);
               residual = judge(state, contributions);

@@ -23,11 +23,15 @@ namespace Heddle
     class FiberDamping
     {
     public:
-      FiberDamping(const System::FiberSpace &space);
+      /**
+       * @p first is the value from which fibers in motion start, in units of
+       * E A / R^2 per length; if it is zero none is ever held back.
+       */
+      FiberDamping(const System::FiberSpace &space, const double first);
 
-      /** Start anew with @p value, in units of E A / R^2 per length. */
+      /** Start anew: hold all fibers back, or none yet. */
       void
-      reset(const double value);
+      reset(const bool in_motion);
 
       /** Add the stiffness to the position blocks. */
       void
@@ -55,6 +59,7 @@ namespace Heddle
       for_each_node(const System::State &state, const Action &action) const;
 
       const System::FiberSpace &space;
+      const double              first;
       std::vector<double>       values; /**< of owned fibers [-] */
     };
   } // namespace Solver
