@@ -30,8 +30,9 @@ namespace Heddle
                     "Which yarn lies on top at each crossing: 'plain', 'twill "
                     "m/n' (each warp yarn over m, under n weft yarns), 'satin "
                     "N/S' (warp on top but for one crossing in N, which moves "
-                    "by S from weft yarn to weft yarn), 'basket m/n', or a "
-                    "matrix like '0 1; 1 0', rows being weft yarns and 1 "
+                    "by S from weft yarn to weft yarn), 'basket m/n' (without "
+                    "numbers: 2/2, satin 5/2), or a matrix like '0 1; 1 0', "
+                    "rows being weft yarns and 1 "
                     "meaning warp on top. Repeated over the sample. "
                     "Inactive unless Run/Scene is 'weave', like all of this "
                     "section [-].");

@@ -114,20 +114,23 @@ namespace Heddle
     {
       static const std::regex plain_form("\\s*plain\\s*");
       static const std::regex named_form(
-        "\\s*(twill|satin|basket)\\s+(\\d{1,4})\\s*/\\s*(\\d{1,4})\\s*");
+        "\\s*(twill|satin|basket)(\\s+(\\d{1,4})\\s*/\\s*(\\d{1,4}))?\\s*");
       static const std::regex matrix_form("[01;\\s]*[01][01;\\s]*");
 
       std::smatch match;
       if (std::regex_match(text, plain_form))
         rows = basket(1, 1);
       else if (std::regex_match(text, match, named_form))
-        rows = named(match[1], std::stoul(match[2]), std::stoul(match[3]));
+        rows = match[2].matched
+                 ? named(match[1], std::stoul(match[3]), std::stoul(match[4]))
+                 : named(match[1], match[1] == "satin" ? 5 : 2, 2);
       else if (std::regex_match(text, matrix_form))
         rows = matrix(text);
       else
         throw InputError("Weave pattern '" + text +
                          "' is unknown: give 'plain', 'twill 2/2', 'satin "
-                         "5/2', 'basket 2/2' (with numbers of your choice) or "
+                         "5/2', 'basket 2/2' (with numbers of your choice; "
+                         "without them these are taken) or "
                          "a matrix like '0 1; 1 0' (rows are weft yarns, 1 "
                          "means warp on top).");
     }

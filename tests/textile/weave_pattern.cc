@@ -3,6 +3,8 @@
 
 #include "../tests.h"
 
+#include <utility>
+
 int
 main()
 {
@@ -26,5 +28,21 @@ main()
             row += pattern.warp_on_top(i, j) ? '1' : '0';
           deallog << "  " << row << std::endl;
         }
+    }
+
+  // Names without numbers.
+  for (const auto &names : std::vector<std::pair<std::string, std::string>>{
+         {"twill", "twill 2/2"},
+         {"satin", "satin 5/2"},
+         {"basket", "basket 2/2"}})
+    {
+      const Heddle::Textile::WeavePattern bare(names.first), full(names.second);
+      bool                                same =
+        bare.n_warp() == full.n_warp() && bare.n_weft() == full.n_weft();
+      for (unsigned int i = 0; i < full.n_warp(); ++i)
+        for (unsigned int j = 0; j < full.n_weft(); ++j)
+          same = same && bare.warp_on_top(i, j) == full.warp_on_top(i, j);
+      deallog << names.first << " is " << names.second << ": " << same
+              << std::endl;
     }
 }

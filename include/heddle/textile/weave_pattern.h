@@ -23,6 +23,8 @@ namespace Heddle
      * - `basket m/n`: plain weave of groups of m warp and n weft yarns;
      * - the matrix itself, rows separated by semicolons: `0 1; 1 0`.
      *
+     * Without numbers these are `twill 2/2`, `satin 5/2` and `basket 2/2`.
+     *
      * Throws InputError for anything else.
      */
     class WeavePattern
