@@ -1,3 +1,4 @@
+#include <heddle/base/petsc.h>
 #include <heddle/solver/fiber_blocks.h>
 
 #include <deal.II/base/exceptions.h>
@@ -63,28 +64,28 @@ namespace Heddle
     FiberBlocks::extract(Mat matrix)
     {
       Mat diagonal;
-      MatGetDiagonalBlock(matrix, &diagonal);
+      petsc(MatGetDiagonalBlock(matrix, &diagonal));
       PetscBool symmetric;
-      PetscObjectTypeCompare(
-        reinterpret_cast<PetscObject>(diagonal), MATSEQSBAIJ, &symmetric);
+      petsc(PetscObjectTypeCompare(
+        reinterpret_cast<PetscObject>(diagonal), MATSEQSBAIJ, &symmetric));
 
       PetscInt        n_rows;
       const PetscInt *row_begin, *columns;
       PetscBool       done;
-      MatGetRowIJ(diagonal,
-                  0,
-                  PETSC_FALSE,
-                  PETSC_TRUE,
-                  &n_rows,
-                  &row_begin,
-                  &columns,
-                  &done);
+      petsc(MatGetRowIJ(diagonal,
+                        0,
+                        PETSC_FALSE,
+                        PETSC_TRUE,
+                        &n_rows,
+                        &row_begin,
+                        &columns,
+                        &done));
       AssertThrow(done, ExcMessage("The tangent does not show its blocks."));
       double *values;
       if (symmetric)
-        MatSeqSBAIJGetArray(diagonal, &values);
+        petsc(MatSeqSBAIJGetArray(diagonal, &values));
       else
-        MatSeqBAIJGetArray(diagonal, &values);
+        petsc(MatSeqBAIJGetArray(diagonal, &values));
 
       const unsigned int height = bandwidth + 1;
       bands.assign(std::size_t(3) * state.n_owned_blocks() * height, 0.);
@@ -111,17 +112,17 @@ namespace Heddle
         }
 
       if (symmetric)
-        MatSeqSBAIJRestoreArray(diagonal, &values);
+        petsc(MatSeqSBAIJRestoreArray(diagonal, &values));
       else
-        MatSeqBAIJRestoreArray(diagonal, &values);
-      MatRestoreRowIJ(diagonal,
-                      0,
-                      PETSC_FALSE,
-                      PETSC_TRUE,
-                      &n_rows,
-                      &row_begin,
-                      &columns,
-                      &done);
+        petsc(MatSeqBAIJRestoreArray(diagonal, &values));
+      petsc(MatRestoreRowIJ(diagonal,
+                            0,
+                            PETSC_FALSE,
+                            PETSC_TRUE,
+                            &n_rows,
+                            &row_begin,
+                            &columns,
+                            &done));
     }
 
 
@@ -159,10 +160,10 @@ namespace Heddle
     void
     FiberBlocks::attach_to(PC pc)
     {
-      PCSetType(pc, PCSHELL);
-      PCShellSetContext(pc, this);
-      PCShellSetApply(pc, &FiberBlocks::apply);
-      PCShellSetName(pc, "one banded factorization per fiber");
+      petsc(PCSetType(pc, PCSHELL));
+      petsc(PCShellSetContext(pc, this));
+      petsc(PCShellSetApply(pc, &FiberBlocks::apply));
+      petsc(PCShellSetName(pc, "one banded factorization per fiber"));
     }
 
 
@@ -170,11 +171,14 @@ namespace Heddle
     PetscErrorCode
     FiberBlocks::apply(PC pc, Vec residual, Vec result)
     {
-      FiberBlocks *self;
-      PCShellGetContext(pc, &self);
-      VecCopy(residual, result);
-      double *values;
-      VecGetArray(result, &values);
+      // PETSc calls this: errors are returned, not thrown.
+      FiberBlocks   *self;
+      double        *values;
+      PetscErrorCode code = PCShellGetContext(pc, &self);
+      code                = code != 0 ? code : VecCopy(residual, result);
+      code                = code != 0 ? code : VecGetArray(result, &values);
+      if (code != 0)
+        return code;
 
       const int  kd = self->bandwidth, height = kd + 1, one = 1;
       const auto owned = self->state.space.owned_fibers();
@@ -193,8 +197,7 @@ namespace Heddle
                   &n,
                   &info);
         }
-      VecRestoreArray(result, &values);
-      return 0;
+      return VecRestoreArray(result, &values);
     }
   } // namespace Solver
 } // namespace Heddle

@@ -1,3 +1,4 @@
+#include <heddle/base/petsc.h>
 #include <heddle/base/reduce.h>
 #include <heddle/solver/line_search.h>
 
@@ -42,11 +43,11 @@ namespace Heddle
         Utilities::MPI::sum(first_slope, state.space.communicator());
 
       Vec image;
-      VecDuplicate(system.solution(), &image);
-      MatMult(system.tangent(), system.solution(), image);
+      petsc(VecDuplicate(system.solution(), &image));
+      petsc(MatMult(system.tangent(), system.solution(), image));
       double curvature;
-      VecDot(system.solution(), image, &curvature);
-      VecDestroy(&image);
+      petsc(VecDot(system.solution(), image, &curvature));
+      petsc(VecDestroy(&image));
 
       const std::array<double, 2> rough = rough_part();
       smooth_slope                      = first_slope - rough[0];

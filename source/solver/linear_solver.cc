@@ -1,3 +1,4 @@
+#include <heddle/base/petsc.h>
 #include <heddle/solver/linear_solver.h>
 
 #include <deal.II/base/exceptions.h>
@@ -23,9 +24,9 @@ namespace Heddle
       set_default(const std::string &option, const std::string &value)
       {
         PetscBool set;
-        PetscOptionsHasName(nullptr, nullptr, option.c_str(), &set);
+        petsc(PetscOptionsHasName(nullptr, nullptr, option.c_str(), &set));
         if (!set)
-          PetscOptionsSetValue(nullptr, option.c_str(), value.c_str());
+          petsc(PetscOptionsSetValue(nullptr, option.c_str(), value.c_str()));
       }
     } // namespace
 
@@ -72,14 +73,14 @@ namespace Heddle
       , system(system)
       , direct(choose_direct(parameters, system))
     {
-      KSPCreate(system.state.space.communicator(), &ksp);
+      petsc(KSPCreate(system.state.space.communicator(), &ksp));
       PC pc;
-      KSPGetPC(ksp, &pc);
+      petsc(KSPGetPC(ksp, &pc));
       if (direct)
         {
-          KSPSetType(ksp, KSPPREONLY);
-          PCSetType(pc, system.is_symmetric() ? PCCHOLESKY : PCLU);
-          PCFactorSetMatSolverType(pc, MATSOLVERMUMPS);
+          petsc(KSPSetType(ksp, KSPPREONLY));
+          petsc(PCSetType(pc, system.is_symmetric() ? PCCHOLESKY : PCLU));
+          petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
 
           // Pivoting needs more room than the analysis foresees, on many ranks
           // above all: leave 200 percent.
@@ -87,17 +88,17 @@ namespace Heddle
         }
       else
         {
-          KSPSetType(ksp, KSPCG);
-          KSPSetNormType(ksp, KSP_NORM_NATURAL);
-          KSPSetTolerances(ksp,
-                           parameters.tolerance,
-                           PETSC_DEFAULT,
-                           PETSC_DEFAULT,
-                           parameters.max_iterations);
+          petsc(KSPSetType(ksp, KSPCG));
+          petsc(KSPSetNormType(ksp, KSP_NORM_NATURAL));
+          petsc(KSPSetTolerances(ksp,
+                                 parameters.tolerance,
+                                 PETSC_DEFAULT,
+                                 PETSC_DEFAULT,
+                                 parameters.max_iterations));
           fiber_blocks = std::make_unique<FiberBlocks>(system.state);
           fiber_blocks->attach_to(pc);
         }
-      KSPSetFromOptions(ksp);
+      petsc(KSPSetFromOptions(ksp));
     }
 
 
@@ -122,16 +123,16 @@ namespace Heddle
     LinearResult
     LinearSolver::solve()
     {
-      KSPSetOperators(ksp, system.tangent(), system.tangent());
+      petsc(KSPSetOperators(ksp, system.tangent(), system.tangent()));
       if (fiber_blocks)
         fiber_blocks->set_up(system.tangent());
-      KSPSolve(ksp, system.right_hand_side(), system.solution());
+      petsc(KSPSolve(ksp, system.right_hand_side(), system.solution()));
 
       LinearResult       result;
       KSPConvergedReason reason;
       PetscInt           iterations;
-      KSPGetConvergedReason(ksp, &reason);
-      KSPGetIterationNumber(ksp, &iterations);
+      petsc(KSPGetConvergedReason(ksp, &reason));
+      petsc(KSPGetIterationNumber(ksp, &iterations));
       result.iterations = direct ? 0 : iterations;
       result.indefinite = reason == KSP_DIVERGED_INDEFINITE_MAT ||
                           reason == KSP_DIVERGED_INDEFINITE_PC;

@@ -1,3 +1,4 @@
+#include <heddle/base/petsc.h>
 #include <heddle/system/block_system.h>
 
 #include <deal.II/base/exceptions.h>
@@ -21,9 +22,9 @@ namespace Heddle
       , symmetric(symmetric)
     {
       const PetscInt n_owned = 3 * state.n_owned_blocks();
-      VecCreateMPI(
-        state.space.communicator(), n_owned, PETSC_DETERMINE, &increment);
-      VecDuplicate(increment, &rhs);
+      petsc(VecCreateMPI(
+        state.space.communicator(), n_owned, PETSC_DETERMINE, &increment));
+      petsc(VecDuplicate(increment, &rhs));
     }
 
 
@@ -78,29 +79,29 @@ namespace Heddle
           row_begin.push_back(columns.size());
         }
 
-      MatDestroy(&matrix);
-      MatCreate(space.communicator(), &matrix);
-      MatSetSizes(
-        matrix, 3 * n_owned, 3 * n_owned, PETSC_DETERMINE, PETSC_DETERMINE);
-      MatSetType(matrix, symmetric ? MATSBAIJ : MATBAIJ);
-      MatSetBlockSize(matrix, 3);
+      petsc(MatDestroy(&matrix));
+      petsc(MatCreate(space.communicator(), &matrix));
+      petsc(MatSetSizes(
+        matrix, 3 * n_owned, 3 * n_owned, PETSC_DETERMINE, PETSC_DETERMINE));
+      petsc(MatSetType(matrix, symmetric ? MATSBAIJ : MATBAIJ));
+      petsc(MatSetBlockSize(matrix, 3));
       if (symmetric)
         {
-          MatSeqSBAIJSetPreallocationCSR(
-            matrix, 3, row_begin.data(), columns.data(), nullptr);
-          MatMPISBAIJSetPreallocationCSR(
-            matrix, 3, row_begin.data(), columns.data(), nullptr);
-          MatSetOption(matrix, MAT_IGNORE_LOWER_TRIANGULAR, PETSC_TRUE);
+          petsc(MatSeqSBAIJSetPreallocationCSR(
+            matrix, 3, row_begin.data(), columns.data(), nullptr));
+          petsc(MatMPISBAIJSetPreallocationCSR(
+            matrix, 3, row_begin.data(), columns.data(), nullptr));
+          petsc(MatSetOption(matrix, MAT_IGNORE_LOWER_TRIANGULAR, PETSC_TRUE));
         }
       else
         {
-          MatSeqBAIJSetPreallocationCSR(
-            matrix, 3, row_begin.data(), columns.data(), nullptr);
-          MatMPIBAIJSetPreallocationCSR(
-            matrix, 3, row_begin.data(), columns.data(), nullptr);
+          petsc(MatSeqBAIJSetPreallocationCSR(
+            matrix, 3, row_begin.data(), columns.data(), nullptr));
+          petsc(MatMPIBAIJSetPreallocationCSR(
+            matrix, 3, row_begin.data(), columns.data(), nullptr));
         }
-      MatSetOption(matrix, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE);
-      MatSetOption(matrix, MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE);
+      petsc(MatSetOption(matrix, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
+      petsc(MatSetOption(matrix, MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
     }
 
 
@@ -126,9 +127,9 @@ namespace Heddle
         {
           lifting.assign(state.n_owned_blocks(), Tensor<1, 3>());
           // PETSc zeroes assembled matrices only: finish what was not.
-          MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY);
-          MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY);
-          MatZeroEntries(matrix);
+          petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+          petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+          petsc(MatZeroEntries(matrix));
         }
     }
 
@@ -166,8 +167,8 @@ namespace Heddle
           columns[i] = global_blocks[blocks[i]];
           rows[i]    = blocks[i] < n_owned ? columns[i] : -1;
         }
-      MatSetValuesBlocked(
-        matrix, n, rows.data(), n, columns.data(), tangent, ADD_VALUES);
+      petsc(MatSetValuesBlocked(
+        matrix, n, rows.data(), n, columns.data(), tangent, ADD_VALUES));
     }
 
 
@@ -238,7 +239,7 @@ namespace Heddle
         for (unsigned int d = 0; d < 3; ++d)
           if (constraints[c].fixed[d])
             values[4 * d] = 0.;
-      MatSetValuesBlocked(matrix, 1, &row, 1, &row, values, ADD_VALUES);
+      petsc(MatSetValuesBlocked(matrix, 1, &row, 1, &row, values, ADD_VALUES));
     }
 
 
@@ -252,7 +253,7 @@ namespace Heddle
       // The right-hand side in the frames of the constraints; a prescribed
       // component has the equation 1 * motion = pending.
       double *values;
-      VecGetArray(rhs, &values);
+      petsc(VecGetArray(rhs, &values));
       for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)
         for (unsigned int d = 0; d < 3; ++d)
           values[3 * b + d] = -forces[b][d] - lifting[b][d];
@@ -270,11 +271,12 @@ namespace Heddle
                 diagonal[4 * d]   = constraint.fixed[d] ? 1. : 0.;
               }
             const PetscInt row = global_blocks[b];
-            MatSetValuesBlocked(matrix, 1, &row, 1, &row, diagonal, ADD_VALUES);
+            petsc(MatSetValuesBlocked(
+              matrix, 1, &row, 1, &row, diagonal, ADD_VALUES));
           }
-      VecRestoreArray(rhs, &values);
-      MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY);
-      MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY);
+      petsc(VecRestoreArray(rhs, &values));
+      petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+      petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
     }
 
 
@@ -302,11 +304,11 @@ namespace Heddle
     {
       values.resize(state.n_local_blocks());
       const double *solution;
-      VecGetArrayRead(increment, &solution);
+      petsc(VecGetArrayRead(increment, &solution));
       for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)
         for (unsigned int d = 0; d < 3; ++d)
           values[b][d] = solution[3 * b + d];
-      VecRestoreArrayRead(increment, &solution);
+      petsc(VecRestoreArrayRead(increment, &solution));
       for (const Constraint &constraint : constraints)
         if (constraint.block < state.n_owned_blocks())
           {
