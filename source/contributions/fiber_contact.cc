@@ -515,5 +515,22 @@ namespace Heddle
         cells.adapt(std::max(threshold, softness * thickest_skin));
       return Utilities::MPI::max(changed ? 1 : 0, space.communicator()) > 0;
     }
+
+
+
+    void
+    FiberContact::accept_step(const System::State &)
+    {
+      accepted_cells = cells.cells();
+    }
+
+
+
+    void
+    FiberContact::reject_step(System::State &)
+    {
+      cells.set_cells(accepted_cells);
+      searched = false;
+    }
   } // namespace Contributions
 } // namespace Heddle

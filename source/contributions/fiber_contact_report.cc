@@ -94,7 +94,8 @@ namespace Heddle
           saved.push_back(cell);
         }
       cells.set_cells(saved);
-      searched = false;
+      accepted_cells = cells.cells();
+      searched       = false;
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -1,6 +1,7 @@
 // A penalty once adapted is kept when fibers are searched anew: where they
 // turn through a right angle and their orientation changes, where cells change
-// their size with the angle, and where the contact slides along the fibers.
+// their size with the angle, and where the contact slides along the fibers. One
+// that a step raised in vain is taken back.
 #include "../contact/contact_scene.h"
 #include "../tests.h"
 
@@ -45,6 +46,36 @@ examine(const std::string &name,
 
 
 
+void
+examine_rejection()
+{
+  ContactScene::Options options;
+  options.threshold = 0.001;
+  const Path   any  = line(Tensor<1, 3>(), Tensor<1, 3>({1., 0., 0.}), 40.);
+  ContactScene scene({any, any}, {n_intervals, n_intervals}, options);
+  place(scene, 70., 0.);
+  const auto penalty = [&scene]() {
+    scene.forces(/*search=*/true);
+    return scene.contact->elements().front().penalty;
+  };
+  const auto raise = [&scene]() {
+    scene.contact->adapt(scene.state);
+    scene.forces();
+  };
+  penalty();
+  raise();
+  const double accepted = penalty();
+  scene.contact->accept_step(scene.state);
+  raise();
+  const bool raised = penalty() > 1.1 * accepted;
+  scene.contact->reject_step(scene.state);
+  deallog << "a rejected step: raised " << raised
+          << ", then over the accepted one " << penalty() / accepted
+          << std::endl;
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -54,4 +85,5 @@ main(int argc, char **argv)
   examine("from 40 to 20 degrees", 40., 20., 0.);
   examine("from 20 to 40 degrees", 20., 40., 0.);
   examine("sliding by half a radius", 70., 70., 0.5);
+  examine_rejection();
 }

@@ -104,6 +104,13 @@ namespace Heddle
       report(const System::State           &state,
              std::map<std::string, double> &values) const override;
 
+      void
+      accept_step(const System::State &state) override;
+
+      /** Penalties that a step raised in vain are taken back. */
+      void
+      reject_step(System::State &state) override;
+
       /** The cells of all zones, with their penalties. */
       void
       save(ArchiveWriter &archive) const override;
@@ -187,6 +194,7 @@ namespace Heddle
       std::vector<Tensor<1, 3>>            knot_positions, knot_tangents;
       Contact::CurveList                   curves;
       Contact::ContactCells                cells;
+      std::vector<Contact::ContactCell>    accepted_cells;
       std::vector<Contact::ContactElement> contact_elements;
       Statistics                           statistics;
 
