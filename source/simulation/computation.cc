@@ -120,6 +120,9 @@ namespace Heddle
                   << "; the step is halved" << std::endl;
             }
         }
+      const std::string objection = stage.objection();
+      if (!objection.empty())
+        throw NotConverged("Stage " + stage.name + ": " + objection + ".");
     }
 
 

@@ -1,4 +1,3 @@
-#include <heddle/contributions/section_damping.h>
 #include <heddle/simulation/ordering_stage.h>
 
 #include <algorithm>
@@ -86,31 +85,20 @@ namespace Heddle
 
 
     OrderingResult
-    OrderingStage::run(
-      System::State                                      &state,
-      const Solver::Contributions                        &others,
-      const std::shared_ptr<Contributions::FiberContact> &contact,
-      const std::vector<Contributions::OrderedYarns>     &crossings,
-      const std::function<void(unsigned int)>            &after_step)
+    OrderingStage::run(System::State                           &state,
+                       const Solver::Contributions             &contributions,
+                       Contributions::FiberContact             &contact,
+                       Contributions::CrossingEnforcement      &enforcement,
+                       const std::function<void(unsigned int)> &after_step)
     {
-      const auto enforcement =
-        std::make_shared<Contributions::CrossingEnforcement>(state.space,
-                                                             crossings);
-      contact->restrict_to([enforcement](unsigned int a, unsigned int b) {
-        return !enforcement->enforces(a, b);
+      contact.restrict_to([&enforcement](unsigned int a, unsigned int b) {
+        return !enforcement.enforces(a, b);
       });
-      contact->update(state);
-
-      // Contact chooses the ghosts, so it comes before the enforcement.
-      Solver::Contributions contributions = others;
-      contributions.push_back(
-        std::make_shared<Contributions::SectionDamping>());
-      contributions.push_back(contact);
-      contributions.push_back(enforcement);
+      contact.update(state);
       const OrderingResult result =
-        lower_allowance(state, contributions, *enforcement, after_step);
+        lower_allowance(state, contributions, enforcement, after_step);
 
-      contact->restrict_to([](unsigned int, unsigned int) { return true; });
+      contact.restrict_to([](unsigned int, unsigned int) { return true; });
       state.accept();
       return result;
     }

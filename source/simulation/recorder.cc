@@ -283,7 +283,7 @@ namespace Heddle
     {
       summary.status = status;
       summary.reason = reason;
-      if (!summary.stages.empty() && summary.stages.back().status == "running")
+      if (!summary.stages.empty() && status != IO::Summary::Status::converged)
         summary.stages.back().status =
           status == IO::Summary::Status::not_converged ? "not converged"
           : status == IO::Summary::Status::stopped     ? "stopped"

@@ -1,8 +1,10 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/contributions/crossing_enforcement.h>
 #include <heddle/contributions/loads.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/contributions/supports.h>
+#include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/simulation/yarn_guides.h>
@@ -99,15 +101,22 @@ namespace Heddle
         else
           yarns.push_back({crossing.weft_yarn, crossing.warp_yarn});
 
+      const auto enforcement =
+        std::make_shared<Contributions::CrossingEnforcement>(*fiber_space,
+                                                             yarns);
+
       Stage stage;
       stage.name          = "order";
-      stage.contributions = {fiber_elasticity, guides, fiber_contact};
-      stage.solve         = [this,
-                     yarns](Log &log, SectionTimer &timer, StopRequest &stop) {
+      stage.contributions = {fiber_elasticity, guides};
+      add_section_damping(stage);
+      stage.contributions.push_back(fiber_contact);
+      stage.contributions.push_back(enforcement);
+      stage.solve = [this, enforcement, contributions = stage.contributions](
+                      Log &log, SectionTimer &timer, StopRequest &stop) {
         OrderingStage ordering(
           parameters.ordering, parameters.linear_solver, log, timer, stop);
-        const OrderingResult ordered = ordering.run(
-          state(), {fiber_elasticity, guides}, fiber_contact, yarns);
+        const OrderingResult ordered =
+          ordering.run(state(), contributions, *fiber_contact, *enforcement);
         Solver::NewtonResult result;
         result.iterations        = ordered.newton_iterations;
         result.factorizations    = ordered.factorizations;
@@ -118,6 +127,16 @@ namespace Heddle
         return result;
       };
       all_stages.push_back(stage);
+    }
+
+
+
+    void
+    Scene::add_section_damping(Stage &stage) const
+    {
+      if (fiber_space->n_blocks_per_node() == 3)
+        stage.contributions.push_back(
+          std::make_shared<Contributions::SectionDamping>());
     }
 
 
@@ -137,9 +156,7 @@ namespace Heddle
           stage.plan.initial_step  = 1. / n;
           stage.plan.largest_step  = 1. / n;
           stage.plan.smallest_step = 1. / n;
-          if (fiber_space->n_blocks_per_node() == 3)
-            stage.contributions.push_back(
-              std::make_shared<Contributions::SectionDamping>());
+          add_section_damping(stage);
           stage.contributions.push_back(fiber_contact);
           const auto contact = fiber_contact;
           stage.set_up       = [=](const double load_factor) {
@@ -147,6 +164,16 @@ namespace Heddle
               thresholds[std::lround(load_factor * n) - 1]);
           };
         }
+      stage.objection = [this]() -> std::string {
+        const auto crossings = FabricReport(*fabric, state()).crossings();
+        if (crossings.wrong == 0)
+          return "";
+        return std::to_string(crossings.wrong) + " of " +
+               std::to_string(crossings.total) +
+               " crossings of fibers are not as the pattern wants them; start "
+               "with more crimp (Weave/Crimp factor), or interpenetrating with "
+               "more ordering steps";
+      };
       all_stages.push_back(stage);
     }
 

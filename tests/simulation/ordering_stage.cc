@@ -2,6 +2,7 @@
 // sides that the pattern tells, far enough from each other for ordinary contact
 // to take over, and whole: no fiber has left its yarn.
 #include <heddle/contributions/fiber_elasticity.h>
+#include <heddle/contributions/section_damping.h>
 #include <heddle/post/crossing_order.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/ordering_stage.h>
@@ -110,9 +111,18 @@ order(const std::string &pattern, const std::string &element)
     parameters, linear_parameters, log, timer, stop);
 
   const auto before = Post::count_crossing_order(polylines(state), {fibers});
-  const auto result = stage.run(state, {elasticity}, contact, {yarns});
-  const auto lines  = polylines(state);
-  const auto after  = Post::count_crossing_order(lines, {fibers});
+  const auto enforcement = std::make_shared<Contributions::CrossingEnforcement>(
+    *space, std::vector<Contributions::OrderedYarns>{yarns});
+  const auto result =
+    stage.run(state,
+              {elasticity,
+               std::make_shared<Contributions::SectionDamping>(),
+               contact,
+               enforcement},
+              *contact,
+              *enforcement);
+  const auto lines = polylines(state);
+  const auto after = Post::count_crossing_order(lines, {fibers});
   contact->update(state);
   std::map<std::string, double> values;
   contact->report(state, values);

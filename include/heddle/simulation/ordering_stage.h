@@ -71,18 +71,19 @@ namespace Heddle
                     StopRequest                          &stop);
 
       /**
-       * Order the yarns that @p crossings names. @p others are the further
-       * contributions that act, elasticity and guides. @p after_step is called
-       * after each step, to write output for instance.
+       * Order the yarns that @p enforcement knows of. @p contributions is all
+       * that acts, @p contact and @p enforcement included, in this order:
+       * contact chooses the ghosts. @p after_step is called after each step,
+       * to write output for instance.
        *
        * @note Collective. Throws Stopped on request.
        */
       OrderingResult
       run(
-        System::State                                      &state,
-        const Solver::Contributions                        &others,
-        const std::shared_ptr<Contributions::FiberContact> &contact,
-        const std::vector<Contributions::OrderedYarns>     &crossings,
+        System::State                           &state,
+        const Solver::Contributions             &contributions,
+        Contributions::FiberContact             &contact,
+        Contributions::CrossingEnforcement      &enforcement,
         const std::function<void(unsigned int)> &after_step = [](unsigned int) {
         });
 

@@ -102,6 +102,10 @@ namespace Heddle
       void
       add_order_stage();
 
+      /** Holds the sections, where the element has any. */
+      void
+      add_section_damping(Stage &stage) const;
+
       void
       add_settle_stage();
 

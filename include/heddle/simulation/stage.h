@@ -30,6 +30,9 @@ namespace Heddle
       /** Takes a step another way than to the equilibrium, if given. */
       std::function<Solver::NewtonResult(Log &, SectionTimer &, StopRequest &)>
         solve;
+
+      /** Why what was reached at load factor 1 is not the aim, or nothing. */
+      std::function<std::string()> objection = [] { return std::string(); };
     };
   } // namespace Simulation
 } // namespace Heddle
