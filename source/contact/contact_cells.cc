@@ -32,6 +32,29 @@ namespace Heddle
 
 
 
+      /** The angle of a zone may change by this factor before its cells do. */
+      constexpr double slack = 1.25;
+
+
+
+      /**
+       * Across an aligned cell the fibers part by little. At larger angles the
+       * stretch in which they touch has to be found in a cell: short ones, in
+       * which they part by no more than about a radius. @p parting is that
+       * across half a whole cell, in radii.
+       */
+      unsigned int
+      level_for(const double parting)
+      {
+        unsigned int level =
+          parting > aligned_parting ? least_level_of_crossing : 0;
+        while (std::ldexp(parting, -int(level)) > 1.)
+          ++level;
+        return level;
+      }
+
+
+
       /** The middle of a cell, and the particles that face each other there. */
       struct CellPlace
       {
@@ -143,12 +166,19 @@ namespace Heddle
                  last->fiber_b == first->fiber_b)
             ++last;
           if (filter(first->fiber_a, first->fiber_b))
-            for (const ProximityZone &zone :
-                 find_zones(&*first,
-                            &*first + (last - first),
-                            curves[first->fiber_a],
-                            curves[first->fiber_b]))
-              cover_zone(curves, zone, old_cells);
+            {
+              const Curve &a     = curves[first->fiber_a];
+              const Curve &b     = curves[first->fiber_b];
+              const double whole = whole_cell(a, b);
+              const auto   known = [&](const double s_a, const double s_b) {
+                const ContactCell *before = old_cell(
+                  first->fiber_a, first->fiber_b, s_a, s_b, whole, old_cells);
+                return before != nullptr ? before->orientation : 0;
+              };
+              for (const ProximityZone &zone :
+                   find_zones(&*first, &*first + (last - first), a, b, known))
+                cover_zone(curves, zone, old_cells);
+            }
           first = last;
         }
       std::sort(all_cells.begin(), all_cells.end());
@@ -169,16 +199,23 @@ namespace Heddle
       const IntermediateGeometry between = geometry(curves, cell);
       const Curve               &a = between.a, &b = between.b;
 
-      // Across an aligned cell the fibers part by little. At larger angles the
-      // stretch in which they touch has to be found in a cell: short ones, in
-      // which they part by no more than about a radius.
-      const double whole   = whole_cell(a, b);
-      const double radius  = std::min(a.radius, b.radius);
-      const double parting = 0.5 * whole * zone.sine;
-      if (parting > aligned_parting * radius)
-        cell.level = least_level_of_crossing;
-      while (std::ldexp(parting, -int(cell.level)) > radius)
-        ++cell.level;
+      // A zone keeps the cells that it had while its angle changes by little:
+      // other cells, though as good, mean other forces.
+      const double       whole   = whole_cell(a, b);
+      const double       radius  = std::min(a.radius, b.radius);
+      const double       parting = 0.5 * whole * zone.sine;
+      const auto         closest = zone.closest();
+      const ContactCell *before  = old_cell(zone.fiber_a,
+                                           zone.fiber_b,
+                                           closest.first,
+                                           closest.second,
+                                           whole,
+                                           old_cells);
+      cell.level                 = level_for(parting / radius);
+      if (before != nullptr)
+        cell.level = std::clamp(before->level,
+                                level_for(parting / radius / slack),
+                                level_for(parting / radius * slack));
       const double size = std::ldexp(whole, -int(cell.level));
 
       const double begin = std::max(zone.begin, between.range().first);
@@ -233,6 +270,39 @@ namespace Heddle
             std::abs(other->q_begin - cell.q_begin) < size)
           return true;
       return false;
+    }
+
+
+
+    const ContactCell *
+    ContactCells::old_cell(const unsigned int              fiber_a,
+                           const unsigned int              fiber_b,
+                           const double                    s_a,
+                           const double                    s_b,
+                           const double                    whole,
+                           const std::vector<ContactCell> &old_cells) const
+    {
+      ContactCell low            = {};
+      low.fiber_a                = fiber_a;
+      low.fiber_b                = fiber_b;
+      low.orientation            = -2;
+      double             nearest = 2. * whole;
+      const ContactCell *found   = nullptr;
+      for (auto old = std::lower_bound(old_cells.begin(), old_cells.end(), low);
+           old != old_cells.end() && old->fiber_a == fiber_a &&
+           old->fiber_b == fiber_b;
+           ++old)
+        {
+          const CellPlace there = place_of(*old, whole);
+          const double    apart =
+            std::abs(there.s_a - s_a) + std::abs(there.s_b - s_b);
+          if (apart < nearest)
+            {
+              nearest = apart;
+              found   = &*old;
+            }
+        }
+      return found;
     }
 
 
@@ -313,6 +383,7 @@ namespace Heddle
               element.fiber_b         = cell.fiber_b;
               element.zone            = cell.zone;
               element.cell            = c;
+              element.orientation     = cell.orientation;
               element.penalty         = cell.penalty;
               element.force =
                 element.weight *

@@ -27,6 +27,20 @@ namespace Heddle
 
 
 
+        /** Cosines below this count as none. */
+        constexpr double right_angle = 1e-3;
+
+
+
+        double
+        middle(const Curve &curve, const unsigned int interval)
+        {
+          return 0.5 * (curve.arc_lengths[interval] +
+                        curve.arc_lengths[interval + 1]);
+        }
+
+
+
         /** Distance of the middles of two intervals. */
         double
         distance(const Curve       &a,
@@ -35,12 +49,8 @@ namespace Heddle
                  const unsigned int j)
         {
           unsigned int hint_a = i, hint_b = j;
-          return (a.evaluate(0.5 * (a.arc_lengths[i] + a.arc_lengths[i + 1]),
-                             hint_a)
-                    .position -
-                  b.evaluate(0.5 * (b.arc_lengths[j] + b.arc_lengths[j + 1]),
-                             hint_b)
-                    .position)
+          return (a.evaluate(middle(a, i), hint_a).position -
+                  b.evaluate(middle(b, j), hint_b).position)
             .norm();
         }
 
@@ -55,8 +65,7 @@ namespace Heddle
                           const unsigned int j)
         {
           unsigned int hint_a = i, hint_b = j;
-          double       s_a = 0.5 * (a.arc_lengths[i] + a.arc_lengths[i + 1]),
-                 s_b       = 0.5 * (b.arc_lengths[j] + b.arc_lengths[j + 1]);
+          double       s_a = middle(a, i), s_b = middle(b, j);
           const double largest_step = a.radius + b.radius;
           const auto   bounded =
             [](const double low, const double value, const double high) {
@@ -148,11 +157,27 @@ namespace Heddle
 
 
 
+    std::pair<double, double>
+    ProximityZone::closest() const
+    {
+      const Sample &sample = *std::min_element(
+        samples.begin(),
+        samples.end(),
+        [](const Sample &left, const Sample &right) {
+          return left.squared_distance < right.squared_distance;
+        });
+      return {0.5 * (sample.p + sample.q),
+              0.5 * orientation * (sample.p - sample.q)};
+    }
+
+
+
     std::vector<ProximityZone>
-    find_zones(const CandidatePair *first,
-               const CandidatePair *last,
-               const Curve         &a,
-               const Curve         &b)
+    find_zones(const CandidatePair    *first,
+               const CandidatePair    *last,
+               const Curve            &a,
+               const Curve            &b,
+               const KnownOrientation &known)
     {
       const unsigned int  n = last - first;
       std::vector<double> cosines(n);
@@ -191,12 +216,19 @@ namespace Heddle
                 }
             // At a right angle both orientations give the same forces: it has
             // to change where the fibers are at one, which is where they touch.
-            zone.orientation =
-              internal::ProximityZone::cosine_at_closest(
-                a, first[closest].interval_a, b, first[closest].interval_b) >=
-                  0.
-                ? 1
-                : -1;
+            const unsigned int closest_a = first[closest].interval_a,
+                               closest_b = first[closest].interval_b;
+            const double cosine = internal::ProximityZone::cosine_at_closest(
+              a, closest_a, b, closest_b);
+            zone.orientation = cosine >= 0. ? 1 : -1;
+            if (std::abs(cosine) < internal::ProximityZone::right_angle)
+              {
+                const int before =
+                  known(internal::ProximityZone::middle(a, closest_a),
+                        internal::ProximityZone::middle(b, closest_b));
+                if (before != 0)
+                  zone.orientation = before;
+              }
             zone.sine = sine_sum / weight_sum;
 
             zone.begin = std::numeric_limits<double>::max();
@@ -207,10 +239,8 @@ namespace Heddle
                   const unsigned int i = first[k].interval_a,
                                      j = first[k].interval_b;
                   const double sigma   = zone.orientation;
-                  const double s_a =
-                    0.5 * (a.arc_lengths[i] + a.arc_lengths[i + 1]);
-                  const double s_b =
-                    0.5 * (b.arc_lengths[j] + b.arc_lengths[j + 1]);
+                  const double s_a     = internal::ProximityZone::middle(a, i);
+                  const double s_b     = internal::ProximityZone::middle(b, j);
                   const double half =
                     a.arc_lengths[i + 1] - s_a + b.arc_lengths[j + 1] - s_b;
                   const double p = s_a + sigma * s_b;

@@ -143,6 +143,15 @@ namespace Heddle
       bool
       is_covered(const ContactCell &cell, const double size) const;
 
+      /** The nearest of @p old_cells of the pair, unless all are far. */
+      const ContactCell *
+      old_cell(const unsigned int              fiber_a,
+               const unsigned int              fiber_b,
+               const double                    s_a,
+               const double                    s_b,
+               const double                    whole,
+               const std::vector<ContactCell> &old_cells) const;
+
       /** Penalty that the cell had among @p old_cells, or 0. */
       double
       old_penalty(const ContactCell              &cell,

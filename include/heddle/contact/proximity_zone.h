@@ -3,6 +3,8 @@
 
 #include <heddle/contact/broad_phase.h>
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace Heddle
@@ -34,17 +36,27 @@ namespace Heddle
       /** A guess of q at @p p, from the closest pair of intervals there. */
       double
       guess(const double p) const;
+
+      /** Arc lengths on both fibers where the samples are closest [mm]. */
+      std::pair<double, double>
+      closest() const;
     };
+
+    /** The orientation that particles at these arc lengths had so far, or 0. */
+    using KnownOrientation = std::function<int(double s_a, double s_b)>;
 
     /**
      * Group the candidates @p first to @p last, all of one pair of fibers, into
-     * zones.
+     * zones. At a right angle, where both orientations are as good, @p known
+     * decides, lest round-off does.
      */
     std::vector<ProximityZone>
-    find_zones(const CandidatePair *first,
-               const CandidatePair *last,
-               const Curve         &a,
-               const Curve         &b);
+    find_zones(
+      const CandidatePair    *first,
+      const CandidatePair    *last,
+      const Curve            &a,
+      const Curve            &b,
+      const KnownOrientation &known = [](double, double) { return 0; });
   } // namespace Contact
 } // namespace Heddle
 
