@@ -33,6 +33,20 @@ namespace Heddle
                     "of a fiber; where fibers cross there are more [-].",
                     prm,
                     Patterns::Double(0.25, 16.));
+      add_parameter("Friction coefficient",
+                    friction,
+                    "Largest tangential force over the normal force of two "
+                    "fibers; 0: no friction, and nothing is computed for it "
+                    "[-].",
+                    prm,
+                    Patterns::Double(0., 2.));
+      add_parameter("Reversible displacement",
+                    reversible_displacement,
+                    "Tangential displacement, as a part of the smaller radius, "
+                    "that two fibers take back before they slip. Inactive "
+                    "without friction [-].",
+                    prm,
+                    Patterns::Double(1e-4, 1.));
     }
   } // namespace Contact
 } // namespace Heddle

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace Heddle
 {
@@ -346,13 +345,7 @@ namespace Heddle
                          element.fiber_b,
                          space.interval(element.fiber_a, element.s_a),
                          space.interval(element.fiber_b, element.s_b)});
-      std::sort(pairs.begin(), pairs.end());
-      pairs.erase(std::unique(pairs.begin(),
-                              pairs.end(),
-                              [](const auto &left, const auto &right) {
-                                return !(left < right) && !(right < left);
-                              }),
-                  pairs.end());
+      Contact::sort_and_unify(pairs);
       return pairs;
     }
 
@@ -393,18 +386,7 @@ namespace Heddle
     FiberContact::add_pattern(const System::State          &state,
                               System::BlockSystem::Pattern &pattern)
     {
-      // Contacts come and go: pairs that touched before may touch again.
-      std::vector<Contact::CandidatePair> pairs = element_pairs();
-      if (pattern_pairs.size() > 2 * pairs.size())
-        pattern_pairs.clear();
-      std::vector<Contact::CandidatePair> all_pairs;
-      std::set_union(pattern_pairs.begin(),
-                     pattern_pairs.end(),
-                     pairs.begin(),
-                     pairs.end(),
-                     std::back_inserter(all_pairs));
-      pattern_pairs.swap(all_pairs);
-
+      Contact::extend_pairs(pattern_pairs, element_pairs());
       unsigned int blocks[8];
       double       weights[8];
       for (const Contact::CandidatePair &pair : pattern_pairs)
@@ -412,10 +394,8 @@ namespace Heddle
           Contact::ContactElement element = {};
           element.fiber_a                 = pair.fiber_a;
           element.fiber_b                 = pair.fiber_b;
-          const double *s_a               = space.node_positions(pair.fiber_a);
-          const double *s_b               = space.node_positions(pair.fiber_b);
-          element.s_a = 0.5 * (s_a[pair.interval_a] + s_a[pair.interval_a + 1]);
-          element.s_b = 0.5 * (s_b[pair.interval_b] + s_b[pair.interval_b + 1]);
+          element.s_a = space.middle(pair.fiber_a, pair.interval_a);
+          element.s_b = space.middle(pair.fiber_b, pair.interval_b);
           locate(state, element, blocks, weights);
           pattern.couple(8, blocks);
         }

@@ -138,23 +138,23 @@ namespace Heddle
           << state.load_factor << std::endl;
       show_status(stage, state.load_factor);
       stage.set_up(state.load_factor);
-      return stage.solve ? stage.solve(log, timer, stop)
-                         : equilibrate(stage.contributions);
+      return stage.solve ? stage.solve(log, timer, stop) : equilibrate(stage);
     }
 
 
 
     Solver::NewtonResult
-    Computation::equilibrate(const Solver::Contributions &contributions)
+    Computation::equilibrate(const Stage &stage)
     {
-      System::State       &state = scene.state();
-      Solver::NewtonResult total;
+      const Solver::Contributions &contributions = stage.contributions;
+      System::State               &state         = scene.state();
+      Solver::NewtonResult         total;
       for (unsigned int i = 0; i < n_searches && !total.converged; ++i)
         {
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
           const Solver::NewtonResult result =
-            newton.solve(state, contributions);
+            newton.solve(state, contributions, stage.aim);
           total.iterations += result.iterations;
           total.factorizations += result.factorizations;
           total.linear_iterations += result.linear_iterations;
@@ -167,7 +167,7 @@ namespace Heddle
             std::any_of(contributions.begin(),
                         contributions.end(),
                         [](const auto &one) { return one->is_rough(); });
-          if (!result.converged || !rough)
+          if (!result.converged || !rough || stage.aim == Solver::Aim::calm)
             return total;
 
           for (const auto &contribution : contributions)

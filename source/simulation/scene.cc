@@ -1,6 +1,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/contributions/crossing_enforcement.h>
+#include <heddle/contributions/fiber_friction.h>
 #include <heddle/contributions/loads.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/contributions/supports.h>
@@ -37,7 +38,7 @@ namespace Heddle
           if (parameters.weave.description().start ==
               Textile::Start::interpenetrating)
             add_order_stage();
-          add_settle_stage();
+          add_settle_stages();
         }
       else
         add_load_stage();
@@ -144,7 +145,18 @@ namespace Heddle
 
 
     void
-    Scene::add_settle_stage()
+    Scene::add_friction(Stage &stage) const
+    {
+      if (fiber_contact && parameters.contact.friction > 0.)
+        stage.contributions.push_back(
+          std::make_shared<Contributions::FiberFriction>(
+            *fiber_space, parameters.contact, *fiber_contact));
+    }
+
+
+
+    void
+    Scene::add_settle_stages()
     {
       Stage stage;
       stage.name          = "settle";
@@ -165,6 +177,21 @@ namespace Heddle
             contact->set_threshold(
               thresholds[std::lround(load_factor * n) - 1]);
           };
+
+          // Friction begins where the fibers have come to lie: it holds them
+          // there, and is not what remains of their way.
+          if (parameters.contact.friction > 0.)
+            {
+              Stage approach  = stage;
+              approach.name   = "approach";
+              approach.plan   = {};
+              approach.aim    = Solver::Aim::calm;
+              approach.set_up = [=](const double) {
+                contact->set_threshold(thresholds.front());
+              };
+              all_stages.push_back(approach);
+            }
+          add_friction(stage);
         }
       stage.objection = [this]() -> std::string {
         const auto crossings = FabricReport(*fabric, state()).crossings();
@@ -196,6 +223,7 @@ namespace Heddle
           *fiber_space, initial_blocks, parameters.loads));
       if (fiber_contact)
         stage.contributions.push_back(fiber_contact);
+      add_friction(stage);
       all_stages.push_back(stage);
     }
 

@@ -127,8 +127,9 @@ namespace Heddle
       for (const auto &contribution : contributions)
         if (contribution->is_rough())
           contribution->probe(state);
+      const double rough = rough_part()[0];
       state.set(start);
-      return smooth_slope + factor * smooth_curvature + rough_part()[0];
+      return smooth_slope + factor * smooth_curvature + rough;
     }
   } // namespace Solver
 } // namespace Heddle

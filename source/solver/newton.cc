@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <sstream>
 
 namespace Heddle
 {
@@ -95,7 +96,9 @@ namespace Heddle
 
 
     NewtonResult
-    Newton::solve(System::State &state, const Contributions &contributions)
+    Newton::solve(System::State       &state,
+                  const Contributions &contributions,
+                  const Aim            aim)
     {
       if (!block_system)
         {
@@ -143,16 +146,33 @@ namespace Heddle
           result.iterations     = iteration;
           report(iteration, residual, result, contributions);
 
-          // Equilibrium counts only if no term objects to it.
-          const bool balanced =
-            softness == 0. &&
-            (residual.ratio <= parameters.residual_tolerance ||
-             residual.largest_force <= round_off * stiffest) &&
-            residual.pending <= reached;
+          const bool calm = rough && iteration > 0 &&
+                            result.increment < calm_motion &&
+                            residual.mean_ratio < calm_ratio;
+          if (aim == Aim::calm && softness == 0. && (calm || !rough))
+            {
+              result.converged = true;
+              return result;
+            }
+
+          // Equilibrium counts only if it holds for what is guessed better,
+          // and if no term objects to it.
+          bool       balanced = is_balanced(residual);
           const bool still =
-            iteration > 0 && result.increment <= parameters.increment_tolerance;
+            (iteration > 0 &&
+             result.increment <= parameters.increment_tolerance) ||
+            residual.largest_force == 0.;
+          if (balanced && still && adapt(state, contributions))
+            {
+              prepare(state, contributions);
+              assemble(state, contributions);
+              residual              = judge(state, contributions);
+              result.residual_ratio = residual.ratio;
+              balanced              = is_balanced(residual);
+              adapted_at            = iteration;
+            }
           result.obstacle.clear();
-          if (balanced && (still || residual.largest_force == 0.))
+          if (balanced && still)
             {
               for (const auto &contribution : contributions)
                 if (result.obstacle.empty())
@@ -165,15 +185,16 @@ namespace Heddle
                   return result;
                 }
             }
-          else
-            result.obstacle =
-              balanced ? "the fibers still move" : "forces are not in balance";
           if (iteration == parameters.max_iterations)
-            return result;
+            {
+              if (!balanced)
+                result.obstacle =
+                  describe_imbalance(state, residual.ratio, result.increment);
+              else if (!still)
+                result.obstacle = "the fibers still move";
+              return result;
+            }
 
-          const bool calm = rough && iteration > 0 &&
-                            result.increment < calm_motion &&
-                            residual.mean_ratio < calm_ratio;
           if (calm && softness > 0.)
             {
               adapt(state, contributions);
@@ -184,15 +205,12 @@ namespace Heddle
               assemble(state, contributions);
               adapted_at = iteration;
             }
-          else if ((calm && iteration >= adapted_at + patience) ||
-                   (balanced && still))
+          else if (calm && iteration >= adapted_at + patience &&
+                   adapt(state, contributions))
             {
-              if (adapt(state, contributions))
-                {
-                  prepare(state, contributions);
-                  assemble(state, contributions);
-                  adapted_at = iteration;
-                }
+              prepare(state, contributions);
+              assemble(state, contributions);
+              adapted_at = iteration;
             }
 
           {
@@ -250,6 +268,68 @@ namespace Heddle
       for (const auto &contribution : contributions)
         changed = contribution->adapt(state) || changed;
       return changed;
+    }
+
+
+
+    bool
+    Newton::is_balanced(const Residual &residual) const
+    {
+      return softness == 0. && residual.pending <= reached &&
+             (residual.ratio <= parameters.residual_tolerance ||
+              residual.largest_force <= round_off * stiffest);
+    }
+
+
+
+    std::string
+    Newton::describe_imbalance(const System::State &state,
+                               const double         ratio,
+                               const double         motion) const
+    {
+      const System::FiberSpace &space = state.space;
+      std::vector<Tensor<1, 3>> unbalanced;
+      block_system->unbalanced(unbalanced);
+      double       largest = -1.;
+      unsigned int fiber = 0, node = 0;
+      const auto   owned = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
+          {
+            const double force =
+              unbalanced[state.local_block(f) + i * space.n_blocks_per_node()]
+                .norm();
+            if (force > largest)
+              {
+                largest = force;
+                fiber   = f;
+                node    = i;
+              }
+          }
+
+      // The rank that has it says where it is.
+      const auto all =
+        Utilities::MPI::gather(communicator, std::make_pair(largest, fiber));
+      const auto worst = Utilities::MPI::broadcast(
+        communicator,
+        all.empty() ? std::make_pair(0., 0u)
+                    : *std::max_element(all.begin(), all.end()));
+      Tensor<1, 3> place;
+      if (space.owns(worst.second))
+        place = state.fiber(worst.second)[node * space.n_blocks_per_node()];
+      place = Utilities::MPI::sum(place, communicator);
+
+      std::ostringstream text;
+      text << std::setprecision(3)
+           << "forces are not in balance, the largest unbalanced one is "
+           << ratio << " times what is typical ("
+           << parameters.residual_tolerance
+           << " is accepted) and acts on fiber " << worst.second << " of yarn "
+           << space.fiber(worst.second).yarn_id << " near (" << place[0] << ", "
+           << place[1] << ", " << place[2]
+           << "); the last iteration moved fibers by up to " << motion
+           << " radii";
+      return text.str();
     }
 
 

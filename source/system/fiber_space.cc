@@ -152,16 +152,52 @@ namespace Heddle
       const unsigned int i      = interval(f, s);
       const double       length = knots[i + 1] - knots[i];
       const double       t      = (s - knots[i]) / length;
+      return combine(f,
+                     i,
+                     {{(1. + 2. * t) * (1. - t) * (1. - t),
+                       length * t * (1. - t) * (1. - t),
+                       t * t * (3. - 2. * t),
+                       -length * t * t * (1. - t)}});
+    }
 
-      // Cubic Hermite shape values; slopes are per arc length.
-      const double position_0 = (1. + 2. * t) * (1. - t) * (1. - t);
-      const double position_1 = t * t * (3. - 2. * t);
-      const double slope_0    = length * t * (1. - t) * (1. - t);
-      const double slope_1    = -length * t * t * (1. - t);
 
+
+    MaterialPoint
+    FiberSpace::locate_tangent(const unsigned int f, const double s) const
+    {
+      const double      *knots  = node_positions(f);
+      const unsigned int i      = interval(f, s);
+      const double       length = knots[i + 1] - knots[i];
+      const double       t      = (s - knots[i]) / length;
+      return combine(f,
+                     i,
+                     {{-6. * t * (1. - t) / length,
+                       (1. - t) * (1. - 3. * t),
+                       6. * t * (1. - t) / length,
+                       -t * (2. - 3. * t)}});
+    }
+
+
+
+    SectionPoint
+    FiberSpace::locate_section(const unsigned int f, const double s) const
+    {
+      AssertThrow(blocks_per_node == 3, ExcInternalError());
+      const double      *knots = node_positions(f);
+      const unsigned int i     = interval(f, s);
+      const double       t     = (s - knots[i]) / (knots[i + 1] - knots[i]);
+      return {{{3 * i + 1, 3 * i + 4}}, {{1. - t, t}}};
+    }
+
+
+
+    MaterialPoint
+    FiberSpace::combine(const unsigned int           f,
+                        const unsigned int           i,
+                        const std::array<double, 4> &hermite) const
+    {
       if (blocks_per_node == 2)
-        return {{{2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3}},
-                {{position_0, slope_0, position_1, slope_1}}};
+        return {{{2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3}}, hermite};
 
       const unsigned int first =
         (fibers[f].n_nodes < 4)
@@ -175,12 +211,12 @@ namespace Heddle
             blocks_per_node * std::min(first + k, fibers[f].n_nodes - 1);
           point.values[k] = 0.;
         }
-      point.values[i - first] += position_0;
-      point.values[i + 1 - first] += position_1;
+      point.values[i - first] += hermite[0];
+      point.values[i + 1 - first] += hermite[2];
       for (const auto &weight : tangent_weights(f, i))
-        point.values[weight.first - first] += slope_0 * weight.second;
+        point.values[weight.first - first] += hermite[1] * weight.second;
       for (const auto &weight : tangent_weights(f, i + 1))
-        point.values[weight.first - first] += slope_1 * weight.second;
+        point.values[weight.first - first] += hermite[3] * weight.second;
       return point;
     }
 

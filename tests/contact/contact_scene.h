@@ -106,19 +106,27 @@ public:
     system->begin(BlockSystem::Want::residual_and_tangent);
     contact->assemble(state, *system);
     system->end();
+    return times(*system, motion);
+  }
+
+  /** The assembled tangent of @p system times a motion, on one rank. */
+  static std::vector<Tensor<1, 3>>
+  times(const Heddle::System::BlockSystem &system,
+        const std::vector<Tensor<1, 3>>   &motion)
+  {
     for (unsigned int b = 0; b < motion.size(); ++b)
       for (unsigned int d = 0; d < 3; ++d)
-        VecSetValue(system->solution(), 3 * b + d, motion[b][d], INSERT_VALUES);
-    VecAssemblyBegin(system->solution());
-    VecAssemblyEnd(system->solution());
-    MatMult(system->tangent(), system->solution(), system->right_hand_side());
+        VecSetValue(system.solution(), 3 * b + d, motion[b][d], INSERT_VALUES);
+    VecAssemblyBegin(system.solution());
+    VecAssemblyEnd(system.solution());
+    MatMult(system.tangent(), system.solution(), system.right_hand_side());
     std::vector<Tensor<1, 3>> result(motion.size());
     const double             *values;
-    VecGetArrayRead(system->right_hand_side(), &values);
+    VecGetArrayRead(system.right_hand_side(), &values);
     for (unsigned int b = 0; b < motion.size(); ++b)
       for (unsigned int d = 0; d < 3; ++d)
         result[b][d] = values[3 * b + d];
-    VecRestoreArrayRead(system->right_hand_side(), &values);
+    VecRestoreArrayRead(system.right_hand_side(), &values);
     return result;
   }
 

@@ -95,6 +95,17 @@ public:
     return solver->solve(*state, contributions);
   }
 
+  /** Solve, and keep what was found. */
+  Solver::NewtonResult
+  step(const double load_factor)
+  {
+    const auto result = solve(load_factor);
+    state->accept();
+    for (const auto &contribution : contributions)
+      contribution->accept_step(*state);
+    return result;
+  }
+
   std::map<std::string, double>
   report() const
   {

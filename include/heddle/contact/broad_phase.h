@@ -1,33 +1,15 @@
 #ifndef heddle_contact_broad_phase_h
 #define heddle_contact_broad_phase_h
 
+#include <heddle/contact/candidate_pair.h>
 #include <heddle/contact/curve.h>
 
-#include <tuple>
 #include <vector>
 
 namespace Heddle
 {
   namespace Contact
   {
-    /** Interval number @p interval_a of a fiber a close to one of b. */
-    struct CandidatePair
-    {
-      unsigned int fiber_a, fiber_b; /**< a <= b */
-      unsigned int interval_a, interval_b;
-    };
-
-    inline bool
-    operator<(const CandidatePair &left, const CandidatePair &right)
-    {
-      return std::tie(
-               left.fiber_a, left.fiber_b, left.interval_a, left.interval_b) <
-             std::tie(right.fiber_a,
-                      right.fiber_b,
-                      right.interval_a,
-                      right.interval_b);
-    }
-
     /** A curve and the number of its fiber. */
     struct NumberedCurve
     {

@@ -17,14 +17,15 @@ namespace Heddle
     {
       unsigned int fiber_a;
       unsigned int fiber_b;
-      unsigned int zone; /**< number of its proximity zone on this rank */
-      unsigned int cell; /**< number of its cell on this rank */
-      double       s_a;  /**< arc length of the particle on a [mm] */
-      double       s_b;  /**< arc length of the particle on b [mm] */
-      double weight;     /**< tributary length of the intermediate curve [mm] */
-      double gap;        /**< distance of the surfaces, negative inside [mm] */
-      double force;      /**< normal force, not negative [N] */
-      double penalty;    /**< force per length per penetration [N/mm^2] */
+      unsigned int zone;  /**< number of its proximity zone on this rank */
+      unsigned int cell;  /**< number of its cell on this rank */
+      int    orientation; /**< +1: the fibers run the same way there, else -1 */
+      double s_a;         /**< arc length of the particle on a [mm] */
+      double s_b;         /**< arc length of the particle on b [mm] */
+      double weight;  /**< tributary length of the intermediate curve [mm] */
+      double gap;     /**< distance of the surfaces, negative inside [mm] */
+      double force;   /**< normal force, not negative [N] */
+      double penalty; /**< force per length per penetration [N/mm^2] */
       Tensor<1, 3> normal; /**< unit vector from b to a */
     };
   } // namespace Contact

@@ -22,6 +22,10 @@ namespace Heddle
       double threshold       = 0.02;
       double search_distance = 1.;
       double refinement      = 1.;
+      double friction        = 0.;
+
+      /** Before slip, over the smaller radius. */
+      double reversible_displacement = 0.05;
     };
   } // namespace Contact
 } // namespace Heddle

@@ -45,7 +45,7 @@ namespace Heddle
 
       /** Equilibrium that holds when all contact is searched anew. */
       Solver::NewtonResult
-      equilibrate(const Solver::Contributions &contributions);
+      equilibrate(const Stage &stage);
 
       void
       accept(const Stage &stage, const Solver::NewtonResult &result);

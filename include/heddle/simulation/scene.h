@@ -106,8 +106,12 @@ namespace Heddle
       void
       add_section_damping(Stage &stage) const;
 
+      /** Last of all, if there is any. */
       void
-      add_settle_stage();
+      add_friction(Stage &stage) const;
+
+      void
+      add_settle_stages();
 
       void
       add_load_stage();

@@ -23,6 +23,7 @@ namespace Heddle
       std::string           name;
       Solver::Contributions contributions;
       Solver::LoadPlan      plan;
+      Solver::Aim           aim = Solver::Aim::equilibrium;
 
       /** Makes the contributions ready for a step to this load factor. */
       std::function<void(const double)> set_up = [](const double) {};

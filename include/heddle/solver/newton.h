@@ -44,6 +44,16 @@ namespace Heddle
     };
 
     /**
+     * How far to go: to equilibrium, or only until forces balance on average
+     * and fibers move by little, after which friction can take over.
+     */
+    enum class Aim
+    {
+      equilibrium,
+      calm
+    };
+
+    /**
      * Newton's method on the sum of all contributions.
      *
      * Without rough terms (contact) it takes full steps, as mixed integration
@@ -63,11 +73,13 @@ namespace Heddle
              StopRequest                  &stop);
 
       /**
-       * Bring @p state to equilibrium.
+       * Bring @p state to equilibrium, or as far as @p aim says.
        * @note Collective. Throws Stopped on request.
        */
       NewtonResult
-      solve(System::State &state, const Contributions &contributions);
+      solve(System::State       &state,
+            const Contributions &contributions,
+            const Aim            aim = Aim::equilibrium);
 
       /**
        * The residual ratio of the current configuration, assembled anew.
@@ -106,6 +118,15 @@ namespace Heddle
       /** Let terms improve their guesses; whether one did. */
       bool
       adapt(System::State &state, const Contributions &contributions);
+
+      bool
+      is_balanced(const Residual &residual) const;
+
+      /** Which fiber keeps the forces from being in balance, and where. */
+      std::string
+      describe_imbalance(const System::State &state,
+                         const double         ratio,
+                         const double         motion) const;
 
       /** The part of @p increment that may be taken, and is of use. */
       double

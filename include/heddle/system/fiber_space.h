@@ -31,6 +31,16 @@ namespace Heddle
       std::array<double, 4>       values;
     };
 
+    /**
+     * How the section vectors at one material point follow from those of the
+     * nodes: $g_\alpha = \sum_{i<2} L_i\, q_{b_i + \alpha - 1}$.
+     */
+    struct SectionPoint
+    {
+      std::array<unsigned int, 2> blocks; /**< of g_1; g_2 follows */
+      std::array<double, 2>       values;
+    };
+
     /** What the space keeps of one fiber, on every rank. */
     struct Fiber
     {
@@ -190,6 +200,14 @@ namespace Heddle
       MaterialPoint
       locate(const unsigned int f, const double s) const;
 
+      /** The same for the derivative of the position in arc length [1/mm]. */
+      MaterialPoint
+      locate_tangent(const unsigned int f, const double s) const;
+
+      /** Return what the section at @p s is made of: three blocks per node. */
+      SectionPoint
+      locate_section(const unsigned int f, const double s) const;
+
       /**
        * Write positions and arc-length derivatives of the centerline at the
        * nodes of fiber @p f: the knots of its piecewise cubic. @p blocks are
@@ -205,11 +223,28 @@ namespace Heddle
       unsigned int
       interval(const unsigned int f, const double s) const;
 
+      /** Arc length of the middle between nodes @p i and i + 1 [mm]. */
+      double
+      middle(const unsigned int f, const unsigned int i) const
+      {
+        const double *s = node_positions(f);
+        return 0.5 * (s[i] + s[i + 1]);
+      }
+
       /** Weights by which three nodal positions give the tangent of node i. */
       std::array<std::pair<unsigned int, double>, 3>
       tangent_weights(const unsigned int f, const unsigned int node) const;
 
     private:
+      /**
+       * The blocks from which the centerline between nodes @p i and i + 1
+       * follows, with the weights @p hermite of position and slope at both.
+       */
+      MaterialPoint
+      combine(const unsigned int           f,
+              const unsigned int           i,
+              const std::array<double, 4> &hermite) const;
+
       const MPI_Comm                       mpi_communicator;
       const std::unique_ptr<Beam::Element> beam_element;
       const unsigned int                   blocks_per_node;

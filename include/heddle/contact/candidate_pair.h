@@ -1,0 +1,66 @@
+#ifndef heddle_contact_candidate_pair_h
+#define heddle_contact_candidate_pair_h
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    /** Interval number @p interval_a of a fiber a close to one of b. */
+    struct CandidatePair
+    {
+      unsigned int fiber_a, fiber_b; /**< a <= b */
+      unsigned int interval_a, interval_b;
+    };
+
+    inline bool
+    operator<(const CandidatePair &left, const CandidatePair &right)
+    {
+      return std::tie(
+               left.fiber_a, left.fiber_b, left.interval_a, left.interval_b) <
+             std::tie(right.fiber_a,
+                      right.fiber_b,
+                      right.interval_a,
+                      right.interval_b);
+    }
+
+    /** Sort @p pairs, and keep each of them once. */
+    inline void
+    sort_and_unify(std::vector<CandidatePair> &pairs)
+    {
+      std::sort(pairs.begin(), pairs.end());
+      pairs.erase(std::unique(pairs.begin(),
+                              pairs.end(),
+                              [](const auto &left, const auto &right) {
+                                return !(left < right) && !(right < left);
+                              }),
+                  pairs.end());
+    }
+
+    /**
+     * Add @p pairs to @p known, both sorted. Contacts come and go, and pairs
+     * that touched before may touch again; but where the most part of what is
+     * known is gone, it is forgotten.
+     */
+    inline void
+    extend_pairs(std::vector<CandidatePair>       &known,
+                 const std::vector<CandidatePair> &pairs)
+    {
+      if (known.size() > 2 * pairs.size())
+        known.clear();
+      std::vector<CandidatePair> all;
+      std::set_union(known.begin(),
+                     known.end(),
+                     pairs.begin(),
+                     pairs.end(),
+                     std::back_inserter(all));
+      known.swap(all);
+    }
+  } // namespace Contact
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,73 @@
+#ifndef heddle_contact_friction_memory_h
+#define heddle_contact_friction_memory_h
+
+#include <heddle/base/archive.h>
+#include <heddle/contact/contact_element.h>
+
+#include <functional>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    using namespace dealii;
+
+    /**
+     * The reversible displacements of touching fibers, by the material
+     * particles that carry them: it survives the elements it was taken from.
+     */
+    class FrictionMemory
+    {
+    public:
+      struct Record
+      {
+        unsigned int fiber_a, fiber_b;
+        double       s_a, s_b; /**< [mm] */
+        double       weight;   /**< length of contact that it stands for [mm] */
+
+        /** In the frame of the pair for this orientation [mm]. */
+        int          orientation;
+        Tensor<1, 3> displacement;
+      };
+
+      /** Replace everything that is known. */
+      void
+      set(std::vector<Record> &records);
+
+      /**
+       * Return the displacement at an element: that of a record at the same
+       * particles, or, between two that are no further than their lengths, what
+       * lies between them; else the nearest within @p reach [mm], so that a
+       * contact that slides or grows keeps what it has. What touches for the
+       * first time has none.
+       */
+      Record
+      at(const ContactElement &element, const double reach) const;
+
+      const std::vector<Record> &
+      all() const
+      {
+        return records;
+      }
+
+      /** Write those records for which @p owned says so of their fiber a. */
+      void
+      save(ArchiveWriter                           &archive,
+           const std::string                       &name,
+           const std::function<bool(unsigned int)> &owned) const;
+
+      /** Read the records of which @p wanted says so of one of the fibers. */
+      void
+      load(const ArchiveReader                     &archive,
+           const std::string                       &name,
+           const std::function<bool(unsigned int)> &wanted);
+
+    private:
+      std::vector<Record> records;      /**< by fiber a, fiber b, s_a, s_b */
+      double              longest = 0.; /**< largest weight of a record */
+    };
+  } // namespace Contact
+} // namespace Heddle
+
+#endif

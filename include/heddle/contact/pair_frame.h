@@ -1,0 +1,51 @@
+#ifndef heddle_contact_pair_frame_h
+#define heddle_contact_pair_frame_h
+
+#include <deal.II/base/tensor.h>
+
+namespace Heddle
+{
+  namespace Contact
+  {
+    using namespace dealii;
+
+    /**
+     * An orthonormal frame that turns with two touching fibers, by its rows:
+     * along the intermediate geometry, across it, and normal to both fibers.
+     *
+     * The normal is that of the two tangents where the fibers cross. Parallel
+     * fibers have none; there it is the connection of the axes, so that a fiber
+     * that travels around its neighbour takes the frame along. Angles of about
+     * a degree pass from one to the other.
+     *
+     * @p tangent_a, @p tangent_b and @p connection (from b to a) need not be
+     * of length one; @p orientation is whether the fibers run the same way.
+     */
+    inline Tensor<2, 3>
+    pair_frame(const Tensor<1, 3> &tangent_a,
+               const Tensor<1, 3> &tangent_b,
+               const int           orientation,
+               const Tensor<1, 3> &connection)
+    {
+      // The sine of the angle at which both normals count alike.
+      constexpr double blend = 0.02;
+
+      const Tensor<1, 3> a       = tangent_a / tangent_a.norm();
+      const Tensor<1, 3> b       = orientation * tangent_b / tangent_b.norm();
+      const Tensor<1, 3> n       = connection / connection.norm();
+      Tensor<1, 3>       crossed = cross_product_3d(a, b);
+      if (crossed * n < 0.)
+        crossed *= -1.;
+
+      Tensor<2, 3> frame;
+      frame[0] = (a + b) / (a + b).norm();
+      frame[2] = crossed + blend * (a * b) * (a * b) * n;
+      frame[2] -= (frame[2] * frame[0]) * frame[0];
+      frame[2] /= frame[2].norm();
+      frame[1] = cross_product_3d(frame[2], frame[0]);
+      return frame;
+    }
+  } // namespace Contact
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,182 @@
+#ifndef heddle_contributions_fiber_friction_h
+#define heddle_contributions_fiber_friction_h
+
+#include <heddle/contact/friction_law.h>
+#include <heddle/contact/friction_memory.h>
+#include <heddle/contributions/fiber_contact.h>
+
+#include <array>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /**
+     * Coulomb friction between fibers that touch, with a reversible
+     * displacement before slip.
+     *
+     * A friction element joins two material particles that face each other. Its
+     * displacement is the one that the last step left, turned along with the
+     * fibers, plus what the particles moved against each other since, without
+     * the rotation of both. Where the element has sections the particles lie on
+     * the surfaces: friction bends, twists and rolls. The torsion-free element
+     * has particles on its axis, and fibers side by side roll over each other
+     * for nothing.
+     *
+     * Particles, normals and normal forces are kept while the solver iterates,
+     * so that friction has an energy, and are renewed when it comes to rest
+     * (adapt()): equilibrium is accepted if it is one for the renewed elements.
+     */
+    class FiberFriction : public System::Contribution
+    {
+    public:
+      /** @p contact is updated before this is, and outlives it. */
+      FiberFriction(const System::FiberSpace         &space,
+                    const Contact::ContactParameters &parameters,
+                    const FiberContact               &contact);
+
+      std::string
+      name() const override
+      {
+        return "fiber friction";
+      }
+
+      void
+      begin_step(System::State &state) override;
+
+      void
+      update(System::State &state) override;
+
+      bool
+      needs_new_pattern() const override;
+
+      void
+      add_pattern(const System::State          &state,
+                  System::BlockSystem::Pattern &pattern) override;
+
+      void
+      assemble(const System::State &state,
+               System::BlockSystem &system) override;
+
+      bool
+      is_rough() const override
+      {
+        return n_elements > 0.;
+      }
+
+      std::pair<double, double>
+      slope_and_curvature(const System::State     &state,
+                          const System::Increment &increment) const override;
+
+      bool
+      adapt(const System::State &state) override;
+
+      void
+      report(const System::State           &state,
+             std::map<std::string, double> &values) const override;
+
+      void
+      accept_step(const System::State &state) override;
+
+      void
+      reject_step(System::State &state) override;
+
+      /** The displacements that are remembered. */
+      void
+      save(ArchiveWriter &archive) const override;
+
+      void
+      load(const ArchiveReader &archive) override;
+
+    private:
+      /** Two particles that rub against each other. */
+      struct Element
+      {
+        unsigned int         fiber_a, fiber_b;
+        int                  orientation;
+        double               s_a, s_b; /**< [mm] */
+        double               weight;   /**< [mm] */
+        Tensor<1, 3>         normal;
+        Contact::FrictionLaw law;
+
+        /** Section coordinates of the particles, where there are any [mm]. */
+        std::array<double, 2> place_a, place_b;
+
+        /** Displacement where the particles coincide [mm]. */
+        Tensor<1, 3> offset;
+      };
+
+      /** How the blocks of both fibers make up the particles' separation. */
+      struct Separation
+      {
+        static constexpr unsigned int max_blocks = 16;
+
+        unsigned int                         n = 0;
+        std::array<unsigned int, max_blocks> blocks; /**< local numbers */
+        std::array<double, max_blocks>       weights;
+
+        Tensor<1, 3>
+        of(const std::vector<Tensor<1, 3>> &values) const;
+      };
+
+      Separation
+      separation(const System::State &state, const Element &element) const;
+
+      void
+      add_particle(const System::State         &state,
+                   const unsigned int           fiber,
+                   const double                 s,
+                   const std::array<double, 2> &place,
+                   const double                 sign,
+                   Separation                  &separation) const;
+
+      /** Coordinates in the section of the vector @p r from the axis. */
+      std::array<double, 2>
+      place_in_section(const System::State &state,
+                       const unsigned int   fiber,
+                       const double         s,
+                       const Tensor<1, 3>  &r) const;
+
+      /** Frame of the pair in the configuration @p values. */
+      Tensor<2, 3>
+      frame(const System::State             &state,
+            const Element                   &element,
+            const int                        orientation,
+            const std::vector<Tensor<1, 3>> &values) const;
+
+      /** Displacement of an element in the configuration @p values. */
+      Tensor<1, 3>
+      displacement(const Element                   &element,
+                   const Separation                &separation,
+                   const std::vector<Tensor<1, 3>> &values) const;
+
+      /** Take particles, normals and forces from the contact as it is. */
+      void
+      renew(const System::State &state);
+
+      std::vector<Contact::CandidatePair>
+      element_pairs() const;
+
+      Element
+      make_element(const System::State           &state,
+                   const Contact::ContactElement &touching) const;
+
+      const System::FiberSpace         &space;
+      const Contact::ContactParameters &parameters;
+      const FiberContact               &contact;
+      Contact::FrictionMemory           memory;
+      std::vector<Element>              elements;
+      double                            n_elements = 0.;
+      bool                              is_stale   = true;
+      /** Pairs of fiber intervals that the pattern of the tangent covers. */
+      std::vector<Contact::CandidatePair> pattern_pairs;
+      unsigned int                        ghost_version = 0;
+      double                              dissipated    = 0.;
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif
