@@ -60,7 +60,7 @@ namespace Heddle
     FiberFriction::make_element(const System::State           &state,
                                 const Contact::ContactElement &touching) const
     {
-      Element element;
+      Element element     = {};
       element.fiber_a     = touching.fiber_a;
       element.fiber_b     = touching.fiber_b;
       element.orientation = touching.orientation;
@@ -246,7 +246,7 @@ namespace Heddle
       Contact::extend_pairs(pattern_pairs, element_pairs());
       for (const Contact::CandidatePair &pair : pattern_pairs)
         {
-          Element element;
+          Element element        = {};
           element.fiber_a        = pair.fiber_a;
           element.fiber_b        = pair.fiber_b;
           element.s_a            = space.middle(pair.fiber_a, pair.interval_a);
