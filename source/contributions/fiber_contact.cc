@@ -1,5 +1,6 @@
 #include <heddle/base/reduce.h>
 #include <heddle/contributions/fiber_contact.h>
+#include <heddle/contributions/interval_pairs.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -336,25 +337,11 @@ namespace Heddle
 
 
 
-    std::vector<Contact::CandidatePair>
-    FiberContact::element_pairs() const
-    {
-      std::vector<Contact::CandidatePair> pairs;
-      for (const Contact::ContactElement &element : contact_elements)
-        pairs.push_back({element.fiber_a,
-                         element.fiber_b,
-                         space.interval(element.fiber_a, element.s_a),
-                         space.interval(element.fiber_b, element.s_b)});
-      Contact::sort_and_unify(pairs);
-      return pairs;
-    }
-
-
-
     bool
     FiberContact::needs_new_pattern() const
     {
-      const std::vector<Contact::CandidatePair> pairs = element_pairs();
+      const std::vector<Contact::CandidatePair> pairs =
+        interval_pairs(space, contact_elements);
       return !std::includes(
         pattern_pairs.begin(), pattern_pairs.end(), pairs.begin(), pairs.end());
     }
@@ -386,7 +373,8 @@ namespace Heddle
     FiberContact::add_pattern(const System::State          &state,
                               System::BlockSystem::Pattern &pattern)
     {
-      Contact::extend_pairs(pattern_pairs, element_pairs());
+      Contact::extend_pairs(pattern_pairs,
+                            interval_pairs(space, contact_elements));
       unsigned int blocks[8];
       double       weights[8];
       for (const Contact::CandidatePair &pair : pattern_pairs)

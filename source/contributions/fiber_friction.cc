@@ -1,6 +1,7 @@
 #include <heddle/base/reduce.h>
 #include <heddle/contact/pair_frame.h>
 #include <heddle/contributions/fiber_friction.h>
+#include <heddle/contributions/interval_pairs.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -214,25 +215,10 @@ namespace Heddle
 
 
 
-    std::vector<Contact::CandidatePair>
-    FiberFriction::element_pairs() const
-    {
-      std::vector<Contact::CandidatePair> pairs;
-      for (const Element &element : elements)
-        pairs.push_back({element.fiber_a,
-                         element.fiber_b,
-                         space.interval(element.fiber_a, element.s_a),
-                         space.interval(element.fiber_b, element.s_b)});
-      Contact::sort_and_unify(pairs);
-      return pairs;
-    }
-
-
-
     bool
     FiberFriction::needs_new_pattern() const
     {
-      const auto pairs = element_pairs();
+      const auto pairs = interval_pairs(space, elements);
       return !std::includes(
         pattern_pairs.begin(), pattern_pairs.end(), pairs.begin(), pairs.end());
     }
@@ -243,7 +229,7 @@ namespace Heddle
     FiberFriction::add_pattern(const System::State          &state,
                                System::BlockSystem::Pattern &pattern)
     {
-      Contact::extend_pairs(pattern_pairs, element_pairs());
+      Contact::extend_pairs(pattern_pairs, interval_pairs(space, elements));
       for (const Contact::CandidatePair &pair : pattern_pairs)
         {
           Element element        = {};

@@ -182,7 +182,7 @@ namespace Heddle
     SectionPoint
     FiberSpace::locate_section(const unsigned int f, const double s) const
     {
-      AssertThrow(blocks_per_node == 3, ExcInternalError());
+      AssertDimension(blocks_per_node, 3);
       const double      *knots = node_positions(f);
       const unsigned int i     = interval(f, s);
       const double       t     = (s - knots[i]) / (knots[i + 1] - knots[i]);

@@ -200,8 +200,6 @@ namespace Heddle
 
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;
-      std::vector<Contact::CandidatePair>
-      element_pairs() const;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -157,9 +157,6 @@ namespace Heddle
       void
       renew(const System::State &state);
 
-      std::vector<Contact::CandidatePair>
-      element_pairs() const;
-
       Element
       make_element(const System::State           &state,
                    const Contact::ContactElement &touching) const;
