@@ -42,6 +42,25 @@ namespace Heddle
 
 
 
+    double
+    FrictionMemory::limit(const unsigned int fiber_a,
+                          const unsigned int fiber_b) const
+    {
+      const double lowest = -std::numeric_limits<double>::max();
+      const Record first  = {
+         fiber_a, fiber_b, lowest, lowest, 0., 1, Tensor<1, 3>(), 0.};
+      double sum = 0.;
+      for (auto record =
+             std::lower_bound(records.begin(), records.end(), first, earlier);
+           record != records.end() && record->fiber_a == fiber_a &&
+           record->fiber_b == fiber_b;
+           ++record)
+        sum += record->limit;
+      return sum;
+    }
+
+
+
     FrictionMemory::Record
     FrictionMemory::at(const ContactElement &element, const double reach) const
     {
@@ -55,7 +74,8 @@ namespace Heddle
                                -std::numeric_limits<double>::max(),
                                0.,
                                element.orientation,
-                               Tensor<1, 3>()};
+                               Tensor<1, 3>(),
+                               0.};
 
       // The nearest record behind and before, along the contact.
       const Record *nearest[2]  = {nullptr, nullptr};
@@ -106,7 +126,7 @@ namespace Heddle
       // Records of one pair are told apart by their number.
       Records rows;
       rows.n_key_parts    = 3;
-      rows.n_values       = 7;
+      rows.n_values       = 8;
       unsigned int number = 0;
       for (std::size_t i = 0; i < records.size(); ++i)
         {
@@ -126,7 +146,8 @@ namespace Heddle
                               double(record.orientation),
                               record.displacement[0],
                               record.displacement[1],
-                              record.displacement[2]});
+                              record.displacement[2],
+                              record.limit});
         }
       archive.write(name, rows);
     }
@@ -152,7 +173,8 @@ namespace Heddle
                             value[1],
                             value[2],
                             value[3] > 0. ? 1 : -1,
-                            Tensor<1, 3>({value[4], value[5], value[6]})});
+                            Tensor<1, 3>({value[4], value[5], value[6]}),
+                            value[7]});
         }
       set(loaded);
     }

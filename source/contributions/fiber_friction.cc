@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <map>
 
 namespace Heddle
 {
@@ -23,36 +24,31 @@ namespace Heddle
 
 
     void
-    FiberFriction::begin_step(System::State &)
-    {
-      is_stale = true;
-    }
-
-
-
-    void
     FiberFriction::update(System::State &state)
     {
-      const bool stale = is_stale || ghost_version != state.ghost_version();
-      if (Utilities::MPI::max(stale ? 1 : 0, space.communicator()) > 0)
-        renew(state);
+      if (ghost_version != state.ghost_version())
+        pattern_pairs.clear();
+      ghost_version = state.ghost_version();
+      place_elements(state);
     }
 
 
 
     void
-    FiberFriction::renew(const System::State &state)
+    FiberFriction::probe(System::State &state)
+    {
+      place_elements(state);
+    }
+
+
+
+    void
+    FiberFriction::place_elements(const System::State &state)
     {
       elements.clear();
       for (const Contact::ContactElement &touching : contact.elements())
         if (touching.force > 0.)
           elements.push_back(make_element(state, touching));
-      n_elements =
-        Utilities::MPI::sum(double(elements.size()), space.communicator());
-      if (ghost_version != state.ghost_version())
-        pattern_pairs.clear();
-      is_stale      = false;
-      ghost_version = state.ghost_version();
     }
 
 
@@ -80,19 +76,26 @@ namespace Heddle
       element.place_b = place_in_section(
         state, touching.fiber_b, touching.s_b, radius_b * touching.normal);
 
+      const Pair now            = pair(state, element, state.current()),
+                 then           = pair(state, element, state.accepted());
+      const Tensor<2, 3> before = then.frame(touching.orientation);
+
+      // A gap that closed since then, at a steady rate, closed in this part of
+      // the step.
+      const double gap = before[2] * then.connection - (radius_a + radius_b);
+      element.share    = gap <= 0.           ? 1.
+                         : touching.gap < 0. ? touching.gap / (touching.gap - gap)
+                                             : 0.;
+
       // What was left, turned along; then the motion since the last step,
       // without the rotation that both fibers share.
       const auto left = memory.at(touching, 0.5 * std::min(radius_a, radius_b));
-      const Tensor<2, 3> axes =
-        frame(state, element, left.orientation, state.current());
-      element.offset = transpose(axes) * left.displacement;
-
-      const int          way    = touching.orientation;
-      const Tensor<2, 3> before = frame(state, element, way, state.accepted()),
-                         now    = frame(state, element, way, state.current());
-      const Tensor<1, 3> began =
-        separation(state, element).of(state.accepted());
-      element.offset -= transpose(now) * (before * began);
+      element.energy_before = element.law.energy_ratio(left.displacement);
+      element.offset =
+        transpose(now.frame(left.orientation)) * left.displacement -
+        element.share *
+          (transpose(now.frame(touching.orientation)) *
+           (before * separation(state, element).of(state.accepted())));
       element.offset -= (element.offset * element.normal) * element.normal;
       return element;
     }
@@ -177,29 +180,38 @@ namespace Heddle
 
 
 
-    Tensor<2, 3>
-    FiberFriction::frame(const System::State             &state,
-                         const Element                   &element,
-                         const int                        orientation,
-                         const std::vector<Tensor<1, 3>> &values) const
+    FiberFriction::Pair
+    FiberFriction::pair(const System::State             &state,
+                        const Element                   &element,
+                        const std::vector<Tensor<1, 3>> &values) const
     {
-      Tensor<1, 3> position[2], tangent[2];
+      Pair result;
       for (unsigned int side = 0; side < 2; ++side)
         {
           const unsigned int f = side == 0 ? element.fiber_a : element.fiber_b;
           const double       s = side == 0 ? element.s_a : element.s_b;
           const System::MaterialPoint point = space.locate(f, s);
           const System::MaterialPoint slope = space.locate_tangent(f, s);
+          const unsigned int          first = state.local_block(f);
+          Tensor<1, 3>                position;
           for (unsigned int i = 0; i < 4; ++i)
             {
-              position[side] += point.values[i] *
-                                values[state.local_block(f) + point.blocks[i]];
-              tangent[side] += slope.values[i] *
-                               values[state.local_block(f) + slope.blocks[i]];
+              position += point.values[i] * values[first + point.blocks[i]];
+              result.tangent[side] +=
+                slope.values[i] * values[first + slope.blocks[i]];
             }
+          result.connection += (side == 0 ? 1. : -1.) * position;
         }
+      return result;
+    }
+
+
+
+    Tensor<2, 3>
+    FiberFriction::Pair::frame(const int orientation) const
+    {
       return Contact::pair_frame(
-        tangent[0], tangent[1], orientation, position[0] - position[1]);
+        tangent[0], tangent[1], orientation, connection);
     }
 
 
@@ -210,7 +222,9 @@ namespace Heddle
                                 const std::vector<Tensor<1, 3>> &values) const
     {
       const Tensor<1, 3> apart = separation.of(values);
-      return element.offset + apart - (apart * element.normal) * element.normal;
+      return element.offset +
+             element.share *
+               (apart - (apart * element.normal) * element.normal);
     }
 
 
@@ -262,7 +276,8 @@ namespace Heddle
               residual[3 * i + d] = apart.weights[i] * force[d];
           if (system.wants_tangent())
             {
-              const Tensor<2, 3> k = element.law.stiffness(u, element.normal);
+              const Tensor<2, 3> k =
+                element.share * element.law.stiffness(u, element.normal);
               for (unsigned int i = 0; i < apart.n; ++i)
                 for (unsigned int j = 0; j < apart.n; ++j)
                   for (unsigned int d = 0; d < 3; ++d)
@@ -291,18 +306,10 @@ namespace Heddle
             const Tensor<1, 3> change = apart.of(increment);
             slope += element.law.force(u) * change;
             curvature +=
-              change * (element.law.stiffness(u, element.normal) * change);
+              element.share *
+              (change * (element.law.stiffness(u, element.normal) * change));
           }
       return {slope, curvature};
-    }
-
-
-
-    bool
-    FiberFriction::adapt(const System::State &)
-    {
-      is_stale = true;
-      return true;
     }
 
 
@@ -329,39 +336,58 @@ namespace Heddle
 
 
 
+    std::vector<double>
+    FiberFriction::limits_before() const
+    {
+      using Fibers = std::pair<unsigned int, unsigned int>;
+      std::map<Fibers, double> limits;
+      for (const Element &element : elements)
+        limits[{element.fiber_a, element.fiber_b}] += element.law.limit;
+      for (auto &limit : limits)
+        limit.second = memory.limit(limit.first.first, limit.first.second) /
+                       std::max(limit.second, 1e-300);
+      std::vector<double> ratios;
+      for (const Element &element : elements)
+        ratios.push_back(limits[{element.fiber_a, element.fiber_b}]);
+      return ratios;
+    }
+
+
+
     void
     FiberFriction::accept_step(const System::State &state)
     {
       std::vector<Contact::FrictionMemory::Record> records;
-      double                                       work = 0.;
-      for (const Element &element : elements)
+      std::array<double, 2>                        sums   = {};
+      const std::vector<double>                    before = limits_before();
+      for (unsigned int i = 0; i < elements.size(); ++i)
         {
+          const Element     &element = elements[i];
           const Tensor<1, 3> u =
             displacement(element, separation(state, element), state.current());
           const Tensor<1, 3> kept = element.law.elastic_part(u);
-          const Tensor<2, 3> axes =
-            frame(state, element, element.orientation, state.current());
           if (space.owns(element.fiber_a))
-            work += element.law.force(u) * (u - kept);
+            {
+              // The work of a step is that at the mean of its limits.
+              sums[0] += 0.5 * (1. + before[i]) * element.law.limit *
+                         (element.law.energy_ratio(u) - element.energy_before);
+              sums[1] += element.law.energy(kept);
+            }
+          const Tensor<2, 3> axes =
+            pair(state, element, state.current()).frame(element.orientation);
           records.push_back({element.fiber_a,
                              element.fiber_b,
                              element.s_a,
                              element.s_b,
                              element.weight,
                              element.orientation,
-                             axes * kept});
+                             axes * kept,
+                             element.law.limit});
         }
       memory.set(records);
-      dissipated += Utilities::MPI::sum(work, space.communicator());
-      is_stale = true;
-    }
-
-
-
-    void
-    FiberFriction::reject_step(System::State &)
-    {
-      is_stale = true;
+      sum_over_ranks(sums, space.communicator());
+      dissipated += sums[0] - (sums[1] - stored);
+      stored = sums[1];
     }
 
 
@@ -372,6 +398,7 @@ namespace Heddle
       memory.save(archive, name() + "/displacements", [this](unsigned int f) {
         return space.owns(f);
       });
+      archive.write_number(name() + "/stored", stored);
       archive.write_number(name() + "/dissipated", dissipated);
     }
 
@@ -383,8 +410,8 @@ namespace Heddle
       memory.load(archive, name() + "/displacements", [this](unsigned int f) {
         return space.owns(f);
       });
+      stored     = archive.read_number(name() + "/stored");
       dissipated = archive.read_number(name() + "/dissipated");
-      is_stale   = true;
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -1,4 +1,4 @@
-// Friction elements, as long as they are not renewed: the tangent is the
+// Friction elements, as long as they stay where they are: the tangent is the
 // derivative of the residual, symmetric, with order two in the difference, in
 // stick and in slip. Forces are in balance. A rotation of everything between
 // two steps causes no friction, and turns the friction that was there.
@@ -40,16 +40,15 @@ public:
       scene.space, scene.parameters, *scene.contact);
     scene.state.accept();
     move(2e-2);
-    renew();
+    place();
   }
 
   /** Take contacts and particles from the configuration as it is. */
   void
-  renew()
+  place()
   {
     scene.contact->begin_step(scene.state);
     scene.contact->update(scene.state);
-    friction->begin_step(scene.state);
     friction->update(scene.state);
   }
 
@@ -202,7 +201,7 @@ rigid_motion(const std::string &element, const double angle)
   rubbing.friction->accept_step(rubbing.scene.state);
   rubbing.scene.state.accept();
   rubbing.turn(0.7);
-  rubbing.renew();
+  rubbing.place();
   Motion             after = rubbing.residual();
   const Tensor<2, 3> back  = transpose(RubbingScene::rotation(0.7));
   Tensor<1, 3>       force;

@@ -49,9 +49,16 @@ namespace Heddle
       double
       energy(const Tensor<1, 3> &u) const
       {
+        return limit * energy_ratio(u);
+      }
+
+      /** @return the same over mu f, [mm]. */
+      double
+      energy_ratio(const Tensor<1, 3> &u) const
+      {
         const double size = u.norm();
-        return limit * (size < reversible ? 0.5 * size * size / reversible
-                                          : size - 0.5 * reversible);
+        return size < reversible ? 0.5 * size * size / reversible
+                                 : size - 0.5 * reversible;
       }
 
       /** @return what of @p u is given back when the force goes, [mm]. */

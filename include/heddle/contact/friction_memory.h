@@ -29,6 +29,8 @@ namespace Heddle
         /** In the frame of the pair for this orientation [mm]. */
         int          orientation;
         Tensor<1, 3> displacement;
+
+        double limit; /**< of the friction force [N] */
       };
 
       /** Replace everything that is known. */
@@ -44,6 +46,10 @@ namespace Heddle
        */
       Record
       at(const ContactElement &element, const double reach) const;
+
+      /** @return the sum of the limits of the friction of two fibers, [N]. */
+      double
+      limit(const unsigned int fiber_a, const unsigned int fiber_b) const;
 
       const std::vector<Record> &
       all() const

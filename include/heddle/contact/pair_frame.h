@@ -15,8 +15,9 @@ namespace Heddle
      *
      * The normal is that of the two tangents where the fibers cross. Parallel
      * fibers have none; there it is the connection of the axes, so that a fiber
-     * that travels around its neighbour takes the frame along. Angles of about
-     * a degree pass from one to the other.
+     * that travels around its neighbour takes the frame along. Some twenty
+     * degrees pass from one to the other: a sharper change turns the frame at
+     * small angles by far more than the fibers turn, and friction with it.
      *
      * @p tangent_a, @p tangent_b and @p connection (from b to a) need not be
      * of length one; @p orientation is whether the fibers run the same way.
@@ -28,7 +29,7 @@ namespace Heddle
                const Tensor<1, 3> &connection)
     {
       // The sine of the angle at which both normals count alike.
-      constexpr double blend = 0.02;
+      constexpr double blend = 0.3;
 
       const Tensor<1, 3> a       = tangent_a / tangent_a.norm();
       const Tensor<1, 3> b       = orientation * tangent_b / tangent_b.norm();

@@ -124,6 +124,10 @@ namespace Heddle
         return contact_elements;
       }
 
+      /** Derivative of an element's force by its penetration [N/mm]. */
+      double
+      stiffness(const Contact::ContactElement &element) const;
+
       /** Set the threshold that adapt() and objection() go by [-]. */
       void
       set_threshold(const double value);
@@ -169,10 +173,6 @@ namespace Heddle
       /** As the normal law takes it [mm]. */
       double
       penetration(const Contact::ContactElement &element) const;
-
-      /** Derivative of an element's force by its penetration [N/mm]. */
-      double
-      stiffness(const Contact::ContactElement &element) const;
 
       /** Local blocks of the particles of an element and their weights. */
       void

@@ -26,9 +26,10 @@ namespace Heddle
      * has particles on its axis, and fibers side by side roll over each other
      * for nothing.
      *
-     * Particles, normals and normal forces are kept while the solver iterates,
-     * so that friction has an energy, and are renewed when it comes to rest
-     * (adapt()): equilibrium is accepted if it is one for the renewed elements.
+     * Elements are placed anew with those of contact, whenever the
+     * configuration changes: what is found to be in equilibrium is so for the
+     * normal forces that it has. The tangent leaves out that these change; it
+     * stays symmetric.
      */
     class FiberFriction : public System::Contribution
     {
@@ -45,10 +46,10 @@ namespace Heddle
       }
 
       void
-      begin_step(System::State &state) override;
+      update(System::State &state) override;
 
       void
-      update(System::State &state) override;
+      probe(System::State &state) override;
 
       bool
       needs_new_pattern() const override;
@@ -64,15 +65,12 @@ namespace Heddle
       bool
       is_rough() const override
       {
-        return n_elements > 0.;
+        return contact.is_rough();
       }
 
       std::pair<double, double>
       slope_and_curvature(const System::State     &state,
                           const System::Increment &increment) const override;
-
-      bool
-      adapt(const System::State &state) override;
 
       void
       report(const System::State           &state,
@@ -81,10 +79,7 @@ namespace Heddle
       void
       accept_step(const System::State &state) override;
 
-      void
-      reject_step(System::State &state) override;
-
-      /** The displacements that are remembered. */
+      /** What is remembered, and the energies. */
       void
       save(ArchiveWriter &archive) const override;
 
@@ -105,8 +100,14 @@ namespace Heddle
         /** Section coordinates of the particles, where there are any [mm]. */
         std::array<double, 2> place_a, place_b;
 
+        /** Part of the step during which the fibers touched [-]. */
+        double share;
+
         /** Displacement where the particles coincide [mm]. */
         Tensor<1, 3> offset;
+
+        /** Energy that the last step left, over the limit [mm]. */
+        double energy_before;
       };
 
       /** How the blocks of both fibers make up the particles' separation. */
@@ -140,12 +141,20 @@ namespace Heddle
                        const double         s,
                        const Tensor<1, 3>  &r) const;
 
-      /** Frame of the pair in the configuration @p values. */
-      Tensor<2, 3>
-      frame(const System::State             &state,
-            const Element                   &element,
-            const int                        orientation,
-            const std::vector<Tensor<1, 3>> &values) const;
+      /** A pair of particles on the axes in some configuration. */
+      struct Pair
+      {
+        Tensor<1, 3> tangent[2];
+        Tensor<1, 3> connection; /**< from b to a [mm] */
+
+        Tensor<2, 3>
+        frame(const int orientation) const;
+      };
+
+      Pair
+      pair(const System::State             &state,
+           const Element                   &element,
+           const std::vector<Tensor<1, 3>> &values) const;
 
       /** Displacement of an element in the configuration @p values. */
       Tensor<1, 3>
@@ -155,23 +164,26 @@ namespace Heddle
 
       /** Take particles, normals and forces from the contact as it is. */
       void
-      renew(const System::State &state);
+      place_elements(const System::State &state);
 
       Element
       make_element(const System::State           &state,
                    const Contact::ContactElement &touching) const;
+
+      /** Friction that the last step left, over that of now, of both fibers. */
+      std::vector<double>
+      limits_before() const;
 
       const System::FiberSpace         &space;
       const Contact::ContactParameters &parameters;
       const FiberContact               &contact;
       Contact::FrictionMemory           memory;
       std::vector<Element>              elements;
-      double                            n_elements = 0.;
-      bool                              is_stale   = true;
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;
       unsigned int                        ghost_version = 0;
-      double                              dissipated    = 0.;
+      double                              stored        = 0.; /**< [N mm] */
+      double                              dissipated    = 0.; /**< [N mm] */
     };
   } // namespace Contributions
 } // namespace Heddle
