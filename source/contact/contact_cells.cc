@@ -105,6 +105,15 @@ namespace Heddle
 
 
     void
+    ContactCells::accept()
+    {
+      for (ContactCell &cell : all_cells)
+        cell.hardened = 1.;
+    }
+
+
+
+    void
     ContactCells::set_cells(const std::vector<ContactCell> &cells)
     {
       all_cells = cells;
@@ -241,8 +250,10 @@ namespace Heddle
           between.facing(p.second, cell.q_end);
           if (is_covered(cell, size))
             continue;
-          cell.penalty  = old_penalty(cell, whole, old_cells);
-          known_penalty = std::max(known_penalty, cell.penalty);
+          const ContactCell *old = stiffest(cell, whole, old_cells);
+          cell.penalty           = old ? old->penalty : 0.;
+          cell.hardened          = old ? old->hardened : 1.;
+          known_penalty          = std::max(known_penalty, cell.penalty);
           all_cells.push_back(cell);
         }
 
@@ -307,10 +318,10 @@ namespace Heddle
 
 
 
-    double
-    ContactCells::old_penalty(const ContactCell              &cell,
-                              const double                    whole,
-                              const std::vector<ContactCell> &old_cells) const
+    const ContactCell *
+    ContactCells::stiffest(const ContactCell              &cell,
+                           const double                    whole,
+                           const std::vector<ContactCell> &old_cells) const
     {
       // The cell itself, one of another level that covers its middle, or, where
       // the fibers turned through a right angle, one of the other orientation
@@ -320,8 +331,8 @@ namespace Heddle
       const auto place = [whole](const ContactCell &any) {
         return place_of(any, whole);
       };
-      const CellPlace here    = place(cell);
-      double          penalty = 0.;
+      const CellPlace    here  = place(cell);
+      const ContactCell *found = nullptr;
       for (auto old = std::lower_bound(old_cells.begin(), old_cells.end(), low);
            old != old_cells.end() && old->fiber_a == cell.fiber_a &&
            old->fiber_b == cell.fiber_b;
@@ -335,10 +346,10 @@ namespace Heddle
                   std::abs(there.q - here.q) < whole
                    : std::abs(there.s_a - here.s_a) < close &&
                   std::abs(there.s_b - here.s_b) < close;
-          if (same)
-            penalty = std::max(penalty, old->penalty);
+          if (same && (!found || old->penalty > found->penalty))
+            found = &*old;
         }
-      return penalty;
+      return found;
     }
 
 
@@ -404,7 +415,9 @@ namespace Heddle
           const double ratio = zone.penetration / (threshold * zone.radius);
           if (ratio > 1.)
             {
-              cell.penalty *= std::min(ratio / safety, largest_growth);
+              const double growth = std::min(ratio / safety, largest_growth);
+              cell.penalty *= growth;
+              cell.hardened *= growth;
               changed = true;
             }
         }

@@ -64,11 +64,11 @@ namespace Heddle
     FrictionMemory::Record
     FrictionMemory::at(const ContactElement &element, const double reach) const
     {
-      const auto spacing = [&element](const double weight) {
-        return 0.75 * (element.weight + weight);
+      const auto limit = [&](const double weight) {
+        return std::max(reach, 0.75 * (element.weight + weight));
       };
-      const double furthest = std::max(reach, spacing(longest));
-      Record       none     = {element.fiber_a,
+      const double furthest = limit(longest);
+      Record       result   = {element.fiber_a,
                                element.fiber_b,
                                element.s_a - furthest,
                                -std::numeric_limits<double>::max(),
@@ -77,42 +77,53 @@ namespace Heddle
                                Tensor<1, 3>(),
                                0.};
 
-      // The nearest record behind and before, along the contact.
+      // The nearest record behind and before, along the contact; each fades
+      // where it is too far to be of the same contact, so that nothing jumps as
+      // particles move.
       const Record *nearest[2]  = {nullptr, nullptr};
       double        distance[2] = {furthest, furthest};
+      double        fade[2]     = {0., 0.};
       for (auto record =
-             std::lower_bound(records.begin(), records.end(), none, earlier);
+             std::lower_bound(records.begin(), records.end(), result, earlier);
            record != records.end() && record->fiber_a == element.fiber_a &&
            record->fiber_b == element.fiber_b &&
            record->s_a <= element.s_a + furthest;
            ++record)
         {
-          const double along_a = record->s_a - element.s_a,
-                       along_b = record->s_b - element.s_b;
-          const double apart   = std::max(std::abs(along_a), std::abs(along_b));
-          const bool   before =
-            std::abs(along_a) > std::abs(along_b) ? along_a > 0. : along_b > 0.;
-          if (apart < distance[before])
+          const double a     = record->s_a - element.s_a,
+                       b     = record->s_b - element.s_b;
+          const double along = 0.5 * (a + record->orientation * b),
+                       apart = std::max(std::abs(a), std::abs(b));
+          const bool side    = along > 0.;
+          if (apart < furthest && std::abs(along) < distance[side])
             {
-              nearest[before]  = &*record;
-              distance[before] = apart;
+              nearest[side]  = &*record;
+              distance[side] = std::abs(along);
+              fade[side] =
+                std::clamp(2. - 2. * apart / limit(record->weight), 0., 1.);
             }
         }
 
-      const Record *one = nearest[distance[1] < distance[0]];
-      if (one == nullptr)
-        return none;
-      // Near a right angle two neighbours may have their frames turned.
+      // Near a right angle two neighbours may have their frames turned: the
+      // nearer one counts.
+      const unsigned int one = distance[1] < distance[0];
+      if (nearest[one] == nullptr)
+        return result;
+      result.orientation = nearest[one]->orientation;
+      if (nearest[1 - one] != nullptr &&
+          nearest[1 - one]->orientation != result.orientation)
+        fade[1 - one] = 0.;
+
+      // Between the two it changes linearly.
+      const double first  = fade[0] * distance[1],
+                   second = fade[1] * distance[0];
+      const double part =
+        first + second > 0. ? second / (first + second) : double(one);
       for (unsigned int side = 0; side < 2; ++side)
-        if (nearest[side] == nullptr ||
-            distance[side] > spacing(nearest[side]->weight) ||
-            nearest[side]->orientation != one->orientation)
-          return *one;
-      const double sum    = distance[0] + distance[1];
-      const double part   = sum > 0. ? distance[0] / sum : 0.;
-      Record       result = *nearest[0];
-      result.displacement +=
-        part * (nearest[1]->displacement - nearest[0]->displacement);
+        if (nearest[side] != nullptr)
+          result.displacement += std::max(fade[0], fade[1]) *
+                                 (side == 1 ? part : 1. - part) *
+                                 nearest[side]->displacement;
       return result;
     }
 

@@ -313,9 +313,7 @@ namespace Heddle
             sums[0] += element.cell != last_cell ? 1. : 0.;
             last_cell = element.cell;
             sums[1] += element.force;
-            sums[2] +=
-              element.weight *
-              law(element).energy(element.penalty, penetration(element));
+            sums[2] += energy(element);
             extremes[1] = std::max(extremes[1], element.penalty);
             extremes[2] = std::max(extremes[2], -element.penalty);
           }
@@ -486,9 +484,26 @@ namespace Heddle
 
 
 
+    double
+    FiberContact::energy(const Contact::ContactElement &element) const
+    {
+      return element.weight *
+             law(element).energy(element.penalty, penetration(element));
+    }
+
+
+
     void
     FiberContact::accept_step(const System::State &)
     {
+      // Between its penalties k_0 and k_1 a contact keeps about its force F:
+      // the integral of F^2/2k^2 is the energy at the end times k_1/k_0 - 1.
+      double sum = 0.;
+      for (const Contact::ContactElement &element : contact_elements)
+        if (space.owns(element.fiber_a))
+          sum += energy(element) * (cells.cells()[element.cell].hardened - 1.);
+      hardening += Utilities::MPI::sum(sum, space.communicator());
+      cells.accept();
       accepted_cells = cells.cells();
     }
 

@@ -45,6 +45,7 @@ namespace Heddle
       values["min_penalty[N/mm^2]"]        = statistics.least_penalty;
       values["max_penalty[N/mm^2]"]        = statistics.largest_penalty;
       values["contact_energy[N*mm]"]       = statistics.energy;
+      values["contact_hardening[N*mm]"]    = hardening;
     }
 
 
@@ -68,6 +69,7 @@ namespace Heddle
                                   {cell.q_begin, cell.q_end, cell.penalty});
           }
       archive.write(name() + "/cells", records);
+      archive.write_number(name() + "/hardening", hardening);
     }
 
 
@@ -93,6 +95,7 @@ namespace Heddle
           cell.penalty              = records.value(i)[2];
           saved.push_back(cell);
         }
+      hardening = archive.read_number(name() + "/hardening");
       cells.set_cells(saved);
       accepted_cells = cells.cells();
       searched       = false;

@@ -41,20 +41,46 @@ namespace Heddle
                  const std::vector<Tensor<1, 3>> &reference,
                  const LoadList                  &loads)
       : space(space)
+      , loads(loads)
       , n_vectors(space.n_blocks_per_node() - 1)
-      , external(reference.size())
       , totals(loads.size())
+      , work(space)
     {
+      for (const auto &load : loads)
+        {
+          forces_of.push_back(parse(*load, "Force", load->force));
+          moments_of.push_back(parse(*load, "Moment", load->moment));
+          forces_per_length_of.push_back(
+            parse(*load, "Force per length", load->force_per_length));
+        }
+      place(reference);
+    }
+
+
+
+    void
+    Loads::begin_stage(const System::State &state)
+    {
+      place({state.current().begin(),
+             state.current().begin() + state.n_owned_blocks()});
+    }
+
+
+
+    void
+    Loads::place(const std::vector<Tensor<1, 3>> &new_reference)
+    {
+      reference = new_reference;
+      external.assign(reference.size(), Tensor<1, 3>());
+      n_nodes_of.clear();
+      forces.clear();
+      moments.clear();
+      watched.clear();
       for (unsigned int i = 0; i < loads.size(); ++i)
         {
-          const LoadParameters &load = *loads[i];
-          forces_of.push_back(parse(load, "Force", load.force));
-          moments_of.push_back(parse(load, "Moment", load.moment));
-          forces_per_length_of.push_back(
-            parse(load, "Force per length", load.force_per_length));
-          add_nodes(i, load, reference);
-          if (!is_nothing(load.force_per_length))
-            add_fibers(i, load, reference);
+          add_nodes(i, *loads[i], reference);
+          if (!is_nothing(loads[i]->force_per_length))
+            add_fibers(i, *loads[i], reference);
         }
     }
 
@@ -256,6 +282,28 @@ namespace Heddle
 
 
     void
+    Loads::observe(const System::BlockSystem &system)
+    {
+      std::vector<Tensor<1, 3>> acting = external;
+      std::array<double, 6>     force;
+      std::array<double, 36>    derivative;
+      for (const Moment &moment : moments)
+        {
+          Beam::end_moment(moment.value,
+                           n_vectors,
+                           system.state.current().data() + moment.block,
+                           nullptr,
+                           force.data(),
+                           derivative.data());
+          for (unsigned int i = 0; i < 3 * n_vectors; ++i)
+            acting[moment.block + i / 3][i % 3] += force[i];
+        }
+      work.set_forces(acting);
+    }
+
+
+
+    void
     Loads::report(const System::State           &state,
                   std::map<std::string, double> &values) const
     {
@@ -273,6 +321,45 @@ namespace Heddle
             totals[k / 3][k % 3];
           values[load + "_displacement_" + "xyz"[k % 3] + "[mm]"] = motion[k];
         }
+      values["external_work[N*mm]"] += work.value();
+    }
+
+
+
+    void
+    Loads::accept_step(const System::State &state)
+    {
+      work.add_step(state);
+    }
+
+
+
+    void
+    Loads::save(ArchiveWriter &archive) const
+    {
+      std::vector<double> values;
+      for (const Tensor<1, 3> &block : reference)
+        values.insert(values.end(), block.begin_raw(), block.end_raw());
+      archive.write(name() + "/reference",
+                    space.owned_blocks().first,
+                    space.n_blocks(),
+                    values,
+                    3);
+      work.save(archive, name());
+    }
+
+
+
+    void
+    Loads::load(const ArchiveReader &archive)
+    {
+      const std::vector<double> values = archive.read(
+        name() + "/reference", space.owned_blocks().first, reference.size(), 3);
+      std::vector<Tensor<1, 3>> blocks(reference.size());
+      for (unsigned int k = 0; k < values.size(); ++k)
+        blocks[k / 3][k % 3] = values[k];
+      place(blocks);
+      work.load(archive, name());
     }
   } // namespace Contributions
 } // namespace Heddle

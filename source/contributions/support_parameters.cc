@@ -17,7 +17,8 @@ namespace Heddle
                       displacement[d],
                       "'free', or a formula of the reference position x, y, z "
                       "[mm] and the load factor t: the displacement from the "
-                      "reference position [mm].");
+                      "reference position, which in a weave is where the "
+                      "fibers have settled [mm].");
       add_parameter(
         "Section",
         section,

@@ -37,8 +37,10 @@ namespace Heddle
                        const std::vector<Tensor<1, 3>> &reference,
                        const SupportList               &supports)
       : space(space)
+      , supports(supports)
       , blocks(find_held_blocks(space, reference, supports))
       , reactions(supports.size())
+      , work(space)
     {
       for (const auto &support : supports)
         {
@@ -56,6 +58,14 @@ namespace Heddle
             }
           motions.push_back(std::move(motion));
         }
+    }
+
+
+
+    void
+    Supports::begin_stage(const System::State &state)
+    {
+      blocks = find_held_blocks(space, state.current(), supports);
     }
 
 
@@ -118,17 +128,21 @@ namespace Heddle
     void
     Supports::observe(const System::BlockSystem &system)
     {
-      std::vector<double> sums(3 * reactions.size(), 0.);
+      std::vector<double>       sums(3 * reactions.size(), 0.);
+      std::vector<Tensor<1, 3>> forces(system.state.n_owned_blocks());
       for (const HeldBlock &held : blocks)
-        if (held.kind == HeldBlock::Kind::position && space.owns(held.fiber))
+        if (space.owns(held.fiber))
           {
-            const Tensor<1, 3> &force =
-              system
-                .residual()[system.state.local_block(held.fiber) + held.block];
+            const unsigned int block =
+              system.state.local_block(held.fiber) + held.block;
+            forces[block] = system.residual()[block];
+            if (held.kind != HeldBlock::Kind::position)
+              continue;
             for (unsigned int d = 0; d < 3; ++d)
               if (held.holder[d] != HeldBlock::nobody)
-                sums[3 * held.holder[d] + d] += force[d];
+                sums[3 * held.holder[d] + d] += forces[block][d];
           }
+      work.set_forces(forces);
       Utilities::MPI::sum(sums, space.communicator(), sums);
       for (unsigned int k = 0; k < sums.size(); ++k)
         reactions[k / 3][k % 3] = sums[k];
@@ -144,6 +158,53 @@ namespace Heddle
         for (unsigned int d = 0; d < 3; ++d)
           values["support_" + std::to_string(i + 1) + "_force_" + "xyz"[d] +
                  "[N]"] = reactions[i][d];
+      values["external_work[N*mm]"] += work.value();
+    }
+
+
+
+    void
+    Supports::accept_step(const System::State &state)
+    {
+      work.add_step(state);
+    }
+
+
+
+    void
+    Supports::save(ArchiveWriter &archive) const
+    {
+      Records rows;
+      rows.n_key_parts = 2;
+      rows.n_values    = 6;
+      for (const HeldBlock &held : blocks)
+        if (space.owns(held.fiber))
+          {
+            rows.keys.insert(rows.keys.end(), {held.fiber, held.block});
+            for (const Tensor<1, 3> &place : {held.position, held.reference})
+              rows.values.insert(
+                rows.values.end(), place.begin_raw(), place.end_raw());
+          }
+      archive.write(name() + "/references", rows);
+      work.save(archive, name());
+    }
+
+
+
+    void
+    Supports::load(const ArchiveReader &archive)
+    {
+      const Records rows = archive.read_records(
+        name() + "/references", [](const std::int64_t *) { return true; });
+      AssertThrow(rows.size() == blocks.size(),
+                  ExcMessage("The checkpoint is of other supports."));
+      for (unsigned int i = 0; i < blocks.size(); ++i)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            blocks[i].position[d]  = rows.value(i)[d];
+            blocks[i].reference[d] = rows.value(i)[3 + d];
+          }
+      work.load(archive, name());
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -84,12 +84,36 @@ namespace Heddle
           place.stepping = stepping[place.stage].get();
           recorder.begin_stage(place.stage);
           if (place.stepping->reached() == 0.)
-            scene.state().step = 0;
+            begin_stage(scene.stages()[place.stage]);
           stage_began    = timer.total();
           stage_began_at = place.stepping->reached();
           run_stage();
         }
       --place.stage;
+    }
+
+
+
+    void
+    Computation::begin_stage(const Stage &stage)
+    {
+      System::State &state = scene.state();
+      state.step           = 0;
+      state.load_factor    = 0.;
+      for (const auto &contribution : stage.contributions)
+        contribution->begin_stage(state);
+      if (!stage.measures_work)
+        return;
+
+      // A step of no motion leaves the forces from which work counts.
+      for (const auto &contribution : stage.contributions)
+        contribution->begin_step(state);
+      newton.residual_ratio(state, stage.contributions);
+      for (const auto &contribution : stage.contributions)
+        {
+          contribution->observe(*newton.system());
+          contribution->accept_step(state);
+        }
     }
 
 
@@ -188,9 +212,9 @@ namespace Heddle
     void
     Computation::accept(const Stage &stage, const Solver::NewtonResult &result)
     {
-      scene.state().accept();
       for (const auto &contribution : stage.contributions)
         contribution->accept_step(scene.state());
+      scene.state().accept();
       ++place.number;
       log << "  converged after " << result.iterations << " iterations";
       if (!std::isnan(result.residual_ratio))

@@ -35,10 +35,7 @@ namespace Heddle
                           "\"weave\": remove one of them."
                         : ": Centerlines/File is empty; name the file of the "
                           "centerlines."));
-      require(!weaves || (supports.empty() && loads.empty()),
-              file.name() + ": supports and loads are for Run/Scene = "
-                            "centerlines; remove them.");
-      require(weaves || !supports.empty(),
+      require(!supports.empty() || (weaves && loads.empty()),
               file.name() + ": nothing holds the fibers; declare a section "
                             "\"Supports/Support 1\".");
     }

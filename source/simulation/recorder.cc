@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace Heddle
@@ -29,10 +30,12 @@ namespace Heddle
       std::map<std::string, double>
       report_of(const Scene &scene, const System::State &state)
       {
-        std::map<std::string, double> values;
+        std::map<std::string, double>          values;
+        std::set<const System::Contribution *> reported;
         for (const Stage &stage : scene.stages())
           for (const auto &contribution : stage.contributions)
-            contribution->report(state, values);
+            if (reported.insert(contribution.get()).second)
+              contribution->report(state, values);
         return values;
       }
 

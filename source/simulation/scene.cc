@@ -40,7 +40,7 @@ namespace Heddle
             add_order_stage();
           add_settle_stages();
         }
-      else
+      if (!parameters.supports.empty())
         add_load_stage();
     }
 
@@ -74,6 +74,9 @@ namespace Heddle
       if (parameters.contact.enabled && fibers_can_touch())
         fiber_contact = std::make_shared<Contributions::FiberContact>(
           *fiber_space, parameters.contact);
+      if (fiber_contact && parameters.contact.friction > 0.)
+        fiber_friction = std::make_shared<Contributions::FiberFriction>(
+          *fiber_space, parameters.contact, *fiber_contact);
       if (fabric)
         guides = yarn_guides(*fiber_space, paths, parameters.settle);
     }
@@ -147,10 +150,8 @@ namespace Heddle
     void
     Scene::add_friction(Stage &stage) const
     {
-      if (fiber_contact && parameters.contact.friction > 0.)
-        stage.contributions.push_back(
-          std::make_shared<Contributions::FiberFriction>(
-            *fiber_space, parameters.contact, *fiber_contact));
+      if (fiber_friction)
+        stage.contributions.push_back(fiber_friction);
     }
 
 
@@ -180,7 +181,7 @@ namespace Heddle
 
           // Friction begins where the fibers have come to lie: it holds them
           // there, and is not what remains of their way.
-          if (parameters.contact.friction > 0.)
+          if (fiber_friction && parameters.settle.friction)
             {
               Stage approach  = stage;
               approach.name   = "approach";
@@ -190,8 +191,8 @@ namespace Heddle
                 contact->set_threshold(thresholds.front());
               };
               all_stages.push_back(approach);
+              add_friction(stage);
             }
-          add_friction(stage);
         }
       stage.objection = [this]() -> std::string {
         const auto crossings = FabricReport(*fabric, state()).crossings();
@@ -214,6 +215,7 @@ namespace Heddle
       Stage stage;
       stage.name          = "load";
       stage.plan          = parameters.load_stepping.plan();
+      stage.measures_work = true;
       stage.contributions = {
         fiber_elasticity,
         std::make_shared<Contributions::Supports>(
@@ -221,8 +223,16 @@ namespace Heddle
       if (!parameters.loads.empty())
         stage.contributions.push_back(std::make_shared<Contributions::Loads>(
           *fiber_space, initial_blocks, parameters.loads));
+      if (fabric)
+        add_section_damping(stage);
       if (fiber_contact)
         stage.contributions.push_back(fiber_contact);
+      if (fabric && fiber_contact)
+        stage.set_up =
+          [contact = fiber_contact,
+           threshold =
+             parameters.settle.thresholds(parameters.contact.threshold).back()](
+            const double) { contact->set_threshold(threshold); };
       add_friction(stage);
       all_stages.push_back(stage);
     }

@@ -26,6 +26,10 @@ namespace Heddle
                     "modulus times radius [-].",
                     prm,
                     Patterns::Double(1e-9));
+      add_parameter("Friction",
+                    friction,
+                    "Whether fibers rub already while they settle, or only "
+                    "when they are loaded. Inactive without friction.");
       add_parameter("Penetration thresholds",
                     listed_thresholds,
                     "Thresholds of penetration over radius, descending, each "

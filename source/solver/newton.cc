@@ -95,28 +95,33 @@ namespace Heddle
 
 
 
+    void
+    Newton::begin(const System::State &state)
+    {
+      if (block_system)
+        return;
+      block_system =
+        std::make_unique<System::BlockSystem>(state, /*symmetric=*/true);
+      linear_solver =
+        std::make_unique<LinearSolver>(linear_parameters, *block_system);
+      damping = std::make_unique<FiberDamping>(state.space, parameters.damping);
+      length_scale = state.space.fiber(0).radius;
+      for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
+        {
+          const System::Fiber &fiber = state.space.fiber(f);
+          length_scale               = std::min(length_scale, fiber.radius);
+          stiffest                   = std::max(stiffest, fiber.section.axial);
+        }
+    }
+
+
+
     NewtonResult
     Newton::solve(System::State       &state,
                   const Contributions &contributions,
                   const Aim            aim)
     {
-      if (!block_system)
-        {
-          block_system =
-            std::make_unique<System::BlockSystem>(state, /*symmetric=*/true);
-          linear_solver =
-            std::make_unique<LinearSolver>(linear_parameters, *block_system);
-          damping =
-            std::make_unique<FiberDamping>(state.space, parameters.damping);
-          length_scale = state.space.fiber(0).radius;
-          for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
-            {
-              const System::Fiber &fiber = state.space.fiber(f);
-              length_scale               = std::min(length_scale, fiber.radius);
-              stiffest = std::max(stiffest, fiber.section.axial);
-            }
-        }
-
+      begin(state);
       NewtonResult      result;
       System::Increment increment;
       unsigned int      adapted_at = 0;
@@ -363,6 +368,7 @@ namespace Heddle
     Newton::residual_ratio(System::State       &state,
                            const Contributions &contributions)
     {
+      begin(state);
       prepare(state, contributions);
       assemble(state, contributions);
       return judge(state, contributions).ratio;

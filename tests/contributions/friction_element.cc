@@ -1,7 +1,8 @@
 // Friction elements, as long as they stay where they are: the tangent is the
 // derivative of the residual, symmetric, with order two in the difference, in
 // stick and in slip. Forces are in balance. A rotation of everything between
-// two steps causes no friction, and turns the friction that was there.
+// two steps causes no friction, and turns the friction that was there. What is
+// remembered does not jump.
 #include <heddle/contributions/fiber_friction.h>
 
 #include "../contact/contact_scene.h"
@@ -222,6 +223,44 @@ rigid_motion(const std::string &element, const double angle)
 
 
 
+/**
+ * What the last step left is a continuous function of the particles, and
+ * finding them ten times changes nothing.
+ */
+void
+memory(const std::string &element, const double angle)
+{
+  RubbingScene rubbing(element, angle, 0.05);
+  rubbing.friction->accept_step(rubbing.scene.state);
+  rubbing.scene.state.accept();
+  rubbing.place();
+  const Motion start  = rubbing.scene.state.current();
+  const Motion before = rubbing.residual();
+  const auto   change = [&]() {
+    Motion difference = rubbing.residual();
+    for (unsigned int b = 0; b < difference.size(); ++b)
+      difference[b] -= before[b];
+    return std::sqrt(dot(difference, difference) / dot(before, before));
+  };
+  for (unsigned int k = 0; k < 10; ++k)
+    rubbing.place();
+  const double again = change();
+
+  double largest = 0.;
+  for (unsigned int k = 0; k < 100; ++k)
+    {
+      rubbing.move(1e-9);
+      rubbing.place();
+      largest = std::max(largest, change());
+      rubbing.scene.state.set(start);
+    }
+  deallog << element << ", " << angle * 180. / numbers::PI
+          << " degrees: placed ten times changes nothing " << (again < 1e-6)
+          << ", moved by 1e-9 little " << (largest < 1e-5) << std::endl;
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -232,5 +271,6 @@ main(int argc, char **argv)
         for (const double reversible : {0.5, 1e-3})
           derivatives(element, angle, reversible);
         rigid_motion(element, angle);
+        memory(element, angle);
       }
 }

@@ -100,9 +100,9 @@ public:
   step(const double load_factor)
   {
     const auto result = solve(load_factor);
-    state->accept();
     for (const auto &contribution : contributions)
       contribution->accept_step(*state);
+    state->accept();
     return result;
   }
 

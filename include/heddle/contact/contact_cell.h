@@ -28,6 +28,9 @@ namespace Heddle
       double       q_begin; /**< guess of s_a - sigma s_b at its begin [mm] */
       double       q_end;   /**< the same at its end [mm] */
       double       penalty; /**< [N/mm^2] */
+
+      /** Penalty over that of the last accepted step. */
+      double hardened = 1.;
     };
 
     inline bool

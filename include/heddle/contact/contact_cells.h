@@ -118,6 +118,10 @@ namespace Heddle
         return {0.5 * threshold * radius, skin * radius};
       }
 
+      /** From now on cells harden from the penalties that they have. */
+      void
+      accept();
+
       /** Set the penalties from which the next search hands on [N/mm^2]. */
       void
       set_cells(const std::vector<ContactCell> &cells);
@@ -152,11 +156,11 @@ namespace Heddle
                const double                    whole,
                const std::vector<ContactCell> &old_cells) const;
 
-      /** Penalty that the cell had among @p old_cells, or 0. */
-      double
-      old_penalty(const ContactCell              &cell,
-                  const double                    whole,
-                  const std::vector<ContactCell> &old_cells) const;
+      /** That of @p old_cells where the cell is now, or nullptr. */
+      const ContactCell *
+      stiffest(const ContactCell              &cell,
+               const double                    whole,
+               const std::vector<ContactCell> &old_cells) const;
 
       const double             search_distance;
       const double             refinement;

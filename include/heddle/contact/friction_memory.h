@@ -39,10 +39,10 @@ namespace Heddle
 
       /**
        * Return the displacement at an element: that of a record at the same
-       * particles, or, between two that are no further than their lengths, what
-       * lies between them; else the nearest within @p reach [mm], so that a
-       * contact that slides or grows keeps what it has. What touches for the
-       * first time has none.
+       * particles, or what lies between the two next to it. It fades with their
+       * distance, and is gone beyond @p reach [mm] or their own lengths: a
+       * contact that slides or grows keeps what it has, and what touches for
+       * the first time has none. It is a continuous function of the particles.
        */
       Record
       at(const ContactElement &element, const double reach) const;

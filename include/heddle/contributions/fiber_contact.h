@@ -174,6 +174,10 @@ namespace Heddle
       double
       penetration(const Contact::ContactElement &element) const;
 
+      /** [N mm] */
+      double
+      energy(const Contact::ContactElement &element) const;
+
       /** Local blocks of the particles of an element and their weights. */
       void
       locate(const System::State           &state,
@@ -186,7 +190,11 @@ namespace Heddle
       double                            threshold;
       const double                      largest_radius;
       double                            softness = 0.;
-      Contact::ContactCells::Filter     filter;
+
+      /** Energy that penalties have brought by growing [N mm]. */
+      double hardening = 0.;
+
+      Contact::ContactCells::Filter filter;
 
       bool                                 searched = false;
       std::vector<Tensor<1, 3>>            searched_at;

@@ -2,6 +2,7 @@
 #define heddle_contributions_loads_h
 
 #include <heddle/base/expression.h>
+#include <heddle/contributions/external_work.h>
 #include <heddle/contributions/load_parameters.h>
 #include <heddle/system/contribution.h>
 
@@ -25,7 +26,9 @@ namespace Heddle
     class Loads : public System::Contribution
     {
     public:
-      /** @p reference: the owned blocks that x, y and z in formulas refer to.
+      /**
+       * @p reference: the owned blocks that x, y and z in formulas refer to,
+       * until a stage begins in another configuration.
        */
       Loads(const System::FiberSpace        &space,
             const std::vector<Tensor<1, 3>> &reference,
@@ -36,6 +39,9 @@ namespace Heddle
       {
         return "loads";
       }
+
+      void
+      begin_stage(const System::State &state) override;
 
       void
       begin_step(System::State &state) override;
@@ -58,13 +64,26 @@ namespace Heddle
         return largest_force;
       }
 
+      void
+      observe(const System::BlockSystem &system) override;
+
       /**
        * For each load the sum of its forces, forces per length included, and
-       * the mean displacement of its nodes.
+       * the mean displacement of its nodes; what all of them have done.
        */
       void
       report(const System::State           &state,
              std::map<std::string, double> &values) const override;
+
+      void
+      accept_step(const System::State &state) override;
+
+      /** Where formulas and displacements count from, and the work. */
+      void
+      save(ArchiveWriter &archive) const override;
+
+      void
+      load(const ArchiveReader &archive) override;
 
     private:
       using Expressions = std::array<Expression, 3>;
@@ -98,6 +117,10 @@ namespace Heddle
         Tensor<1, 3> position;
       };
 
+      /** Find everything that loads act on. */
+      void
+      place(const std::vector<Tensor<1, 3>> &new_reference);
+
       void
       add_nodes(const unsigned int               load,
                 const LoadParameters            &parameters,
@@ -117,7 +140,9 @@ namespace Heddle
       find_largest_force();
 
       const System::FiberSpace &space;
+      const LoadList           &loads;
       const unsigned int        n_vectors; /**< per node: 1 or 2 */
+      std::vector<Tensor<1, 3>> reference; /**< owned blocks */
       std::vector<Expressions>  forces_of, moments_of, forces_per_length_of;
       std::vector<unsigned int> n_nodes_of;
 
@@ -130,6 +155,7 @@ namespace Heddle
       std::vector<Tensor<1, 3>> totals;   /**< by load, over all ranks [N] */
       double                    largest_force = 0.;
       bool                      predicted     = false;
+      ExternalWork              work;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -2,6 +2,7 @@
 #define heddle_contributions_supports_h
 
 #include <heddle/base/expression.h>
+#include <heddle/contributions/external_work.h>
 #include <heddle/contributions/held_block.h>
 #include <heddle/contributions/support_parameters.h>
 #include <heddle/system/contribution.h>
@@ -28,7 +29,7 @@ namespace Heddle
     public:
       /**
        * Motions are counted from the configuration @p reference, given by its
-       * owned blocks.
+       * owned blocks, until a stage begins in another one.
        * @note Collective. Throws InputError, see find_held_blocks().
        */
       Supports(const System::FiberSpace        &space,
@@ -40,6 +41,9 @@ namespace Heddle
       {
         return "supports";
       }
+
+      void
+      begin_stage(const System::State &state) override;
 
       void
       constrain(const System::State                          &state,
@@ -60,10 +64,23 @@ namespace Heddle
       void
       observe(const System::BlockSystem &system) override;
 
-      /** The sum of the forces by which each support acts on the fibers. */
+      /**
+       * The sum of the forces by which each support acts on the fibers, and
+       * what all of them have done.
+       */
       void
       report(const System::State           &state,
              std::map<std::string, double> &values) const override;
+
+      void
+      accept_step(const System::State &state) override;
+
+      /** Where motions count from, and the work. */
+      void
+      save(ArchiveWriter &archive) const override;
+
+      void
+      load(const ArchiveReader &archive) override;
 
     private:
       /** The formulas of one support; free components have none. */
@@ -78,10 +95,12 @@ namespace Heddle
       Tensor<1, 3>
       target(const HeldBlock &held, const double load_factor) const;
 
-      const System::FiberSpace    &space;
-      const std::vector<HeldBlock> blocks;
-      std::vector<Motion>          motions;
-      std::vector<Tensor<1, 3>>    reactions; /**< [N] */
+      const System::FiberSpace &space;
+      const SupportList        &supports;
+      std::vector<HeldBlock>    blocks;
+      std::vector<Motion>       motions;
+      std::vector<Tensor<1, 3>> reactions; /**< [N] */
+      ExternalWork              work;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -37,6 +37,9 @@ namespace Heddle
       run_stages();
 
       void
+      begin_stage(const Stage &stage);
+
+      void
       run_stage();
 
       /** Set out for the next load factor; return whether it was reached. */

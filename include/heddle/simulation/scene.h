@@ -106,7 +106,7 @@ namespace Heddle
       void
       add_section_damping(Stage &stage) const;
 
-      /** Last of all, if there is any. */
+      /** After contact, if there is any. */
       void
       add_friction(Stage &stage) const;
 
@@ -124,6 +124,7 @@ namespace Heddle
       std::unique_ptr<System::State>                  configuration;
       std::shared_ptr<Contributions::FiberElasticity> fiber_elasticity;
       std::shared_ptr<Contributions::FiberContact>    fiber_contact;
+      std::shared_ptr<System::Contribution>           fiber_friction;
       std::shared_ptr<System::Contribution>           guides;
       std::vector<Stage>                              all_stages;
     };

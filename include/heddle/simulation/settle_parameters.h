@@ -23,6 +23,7 @@ namespace Heddle
 
       double axial_tension   = 0.006;
       double guide_stiffness = 0.1;
+      bool   friction        = true;
 
     private:
       std::vector<double> listed_thresholds;

@@ -25,6 +25,9 @@ namespace Heddle
       Solver::LoadPlan      plan;
       Solver::Aim           aim = Solver::Aim::equilibrium;
 
+      /** Whether forces at its beginning count for the work of its steps. */
+      bool measures_work = false;
+
       /** Makes the contributions ready for a step to this load factor. */
       std::function<void(const double)> set_up = [](const double) {};
 

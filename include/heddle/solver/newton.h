@@ -105,6 +105,10 @@ namespace Heddle
         double pending       = 0.; /**< prescribed motion left, in radii [-] */
       };
 
+      /** Create the linear system, once. */
+      void
+      begin(const System::State &state);
+
       void
       prepare(System::State &state, const Contributions &contributions);
 

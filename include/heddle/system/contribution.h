@@ -41,6 +41,16 @@ namespace Heddle
       }
 
       /**
+       * A stage begins in this configuration: motions that are prescribed from
+       * now on count from it.
+       * @note Collective.
+       */
+      virtual void
+      begin_stage(const State &)
+      {
+      }
+
+      /**
        * The configuration changed: bring what depends on it up to date, contact
        * elements for instance. May change the ghosts of the state.
        */
@@ -175,6 +185,7 @@ namespace Heddle
       {
       }
 
+      /** The step is about to count; the last one still is accepted(). */
       virtual void
       accept_step(const State &)
       {

@@ -1,0 +1,59 @@
+#ifndef heddle_contributions_external_work_h
+#define heddle_contributions_external_work_h
+
+#include <heddle/base/archive.h>
+#include <heddle/system/state.h>
+
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /**
+     * The work of forces on blocks, step by step: that of the mean of the
+     * forces before and after a step on the motion of the step, exact for
+     * forces that grow in proportion to it.
+     */
+    class ExternalWork
+    {
+    public:
+      ExternalWork(const System::FiberSpace &space);
+
+      /** The forces on the owned blocks of @p state as they are now. */
+      void
+      set_forces(const std::vector<Tensor<1, 3>> &forces)
+      {
+        now = forces;
+      }
+
+      /** Add the work from the accepted to the current configuration. */
+      void
+      add_step(const System::State &state);
+
+      /** @return the work since the start, over all ranks [N mm]. */
+      double
+      value() const
+      {
+        return work;
+      }
+
+      /** @note Collective. */
+      void
+      save(ArchiveWriter &archive, const std::string &name) const;
+
+      void
+      load(const ArchiveReader &archive, const std::string &name);
+
+    private:
+      const System::FiberSpace &space;
+      std::vector<Tensor<1, 3>> before, now; /**< on owned blocks [N] */
+      double                    work = 0.;   /**< [N mm] */
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif
