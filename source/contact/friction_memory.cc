@@ -64,10 +64,7 @@ namespace Heddle
     FrictionMemory::Record
     FrictionMemory::at(const ContactElement &element, const double reach) const
     {
-      const auto spacing = [&element](const double weight) {
-        return 0.75 * (element.weight + weight);
-      };
-      const double furthest = std::max(reach, spacing(longest));
+      const double furthest = std::max(reach, 2. * longest);
       Record       none     = {element.fiber_a,
                                element.fiber_b,
                                element.s_a - furthest,
@@ -89,13 +86,15 @@ namespace Heddle
         {
           const double along_a = record->s_a - element.s_a,
                        along_b = record->s_b - element.s_b;
-          const double apart   = std::max(std::abs(along_a), std::abs(along_b));
-          const bool   before =
-            std::abs(along_a) > std::abs(along_b) ? along_a > 0. : along_b > 0.;
-          if (apart < distance[before])
+          // Along the contact as the record saw it: close to a right angle what
+          // is along for one of two is across for the other.
+          const double along  = 0.5 * (along_a + record->orientation * along_b);
+          const bool   before = along > 0.;
+          if (std::max(std::abs(along_a), std::abs(along_b)) < furthest &&
+              std::abs(along) < distance[before])
             {
               nearest[before]  = &*record;
-              distance[before] = apart;
+              distance[before] = std::abs(along);
             }
         }
 
@@ -103,12 +102,11 @@ namespace Heddle
       if (one == nullptr)
         return none;
       // Near a right angle two neighbours may have their frames turned.
-      for (unsigned int side = 0; side < 2; ++side)
-        if (nearest[side] == nullptr ||
-            distance[side] > spacing(nearest[side]->weight) ||
-            nearest[side]->orientation != one->orientation)
-          return *one;
-      const double sum    = distance[0] + distance[1];
+      const double sum = distance[0] + distance[1];
+      if (nearest[0] == nullptr || nearest[1] == nullptr ||
+          sum > nearest[0]->weight + nearest[1]->weight ||
+          nearest[0]->orientation != nearest[1]->orientation)
+        return *one;
       const double part   = sum > 0. ? distance[0] / sum : 0.;
       Record       result = *nearest[0];
       result.displacement +=
