@@ -28,19 +28,17 @@ namespace Heddle
                const int           orientation,
                const Tensor<1, 3> &connection)
     {
-      // The sine of the angle at which both normals count alike.
-      constexpr double blend = 0.3;
+      // The squared tangent of the angle at which both normals count alike.
+      constexpr double blend = 0.1;
 
       const Tensor<1, 3> a       = tangent_a / tangent_a.norm();
       const Tensor<1, 3> b       = orientation * tangent_b / tangent_b.norm();
       const Tensor<1, 3> n       = connection / connection.norm();
-      Tensor<1, 3>       crossed = cross_product_3d(a, b);
-      if (crossed * n < 0.)
-        crossed *= -1.;
+      const Tensor<1, 3> crossed = cross_product_3d(a, b);
 
       Tensor<2, 3> frame;
       frame[0] = (a + b) / (a + b).norm();
-      frame[2] = crossed + blend * (a * b) * (a * b) * n;
+      frame[2] = (crossed * n) * crossed + blend * (a * b) * (a * b) * n;
       frame[2] -= (frame[2] * frame[0]) * frame[0];
       frame[2] /= frame[2].norm();
       frame[1] = cross_product_3d(frame[2], frame[0]);
