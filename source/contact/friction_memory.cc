@@ -61,6 +61,34 @@ namespace Heddle
 
 
 
+    bool
+    FrictionMemory::touched(const ContactElement &element,
+                            const double          reach) const
+    {
+      const double furthest = reach + element.weight + longest;
+      const Record first    = {element.fiber_a,
+                               element.fiber_b,
+                               element.s_a - furthest,
+                               -std::numeric_limits<double>::max(),
+                               0.,
+                               1,
+                               Tensor<1, 3>(),
+                               0.};
+      for (auto record =
+             std::lower_bound(records.begin(), records.end(), first, earlier);
+           record != records.end() && record->fiber_a == element.fiber_a &&
+           record->fiber_b == element.fiber_b &&
+           record->s_a <= element.s_a + furthest;
+           ++record)
+        if (std::max(std::abs(record->s_a - element.s_a),
+                     std::abs(record->s_b - element.s_b)) <
+            reach + element.weight + record->weight)
+          return true;
+      return false;
+    }
+
+
+
     FrictionMemory::Record
     FrictionMemory::at(const ContactElement &element, const double reach) const
     {

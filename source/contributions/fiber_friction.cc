@@ -1,5 +1,5 @@
 #include <heddle/base/reduce.h>
-#include <heddle/contact/pair_frame.h>
+#include <heddle/contact/pair_turning.h>
 #include <heddle/contributions/fiber_friction.h>
 #include <heddle/contributions/interval_pairs.h>
 
@@ -80,24 +80,70 @@ namespace Heddle
                  then           = pair(state, element, state.accepted());
       const Tensor<2, 3> before = then.frame(touching.orientation);
 
-      // A gap that closed since then, at a steady rate, closed in this part of
-      // the step.
-      const double gap = before[2] * then.connection - (radius_a + radius_b);
-      element.share    = gap <= 0.           ? 1.
-                         : touching.gap < 0. ? touching.gap / (touching.gap - gap)
-                                             : 0.;
+      const Tensor<2, 3> frame = now.frame(touching.orientation);
+      element.axes[0] = frame[0] - (frame[0] * element.normal) * element.normal;
+      element.axes[0] /= element.axes[0].norm();
+      element.axes[1] = cross_product_3d(element.normal, element.axes[0]);
 
-      // What was left, turned along; then the motion since the last step,
-      // without the rotation that both fibers share.
+      // The motion since the last step, without the rotation that both fibers
+      // share.
+      const Separation   apart = separation(state, element);
+      const Tensor<1, 3> began =
+        transpose(frame) * (before * apart.of(state.accepted()));
+      Tensor<1, 3> motion = apart.of(state.current()) - began;
+      motion -= (motion * element.normal) * element.normal;
+
+      // Where nothing touched within this motion a gap closed since then, at a
+      // steady rate: in this part of the step.
+      const double gap = before[2] * then.connection - (radius_a + radius_b);
+      element.share    = 1.;
+      if (gap > 0. && !memory.touched(touching, motion.norm()))
+        element.share =
+          touching.gap < 0. ? touching.gap / (touching.gap - gap) : 0.;
+
+      // What was left, turned along, and the motion.
       const auto left = memory.at(touching, 0.5 * std::min(radius_a, radius_b));
       element.energy_before = element.law.energy_ratio(left.displacement);
       element.offset =
-        transpose(now.frame(left.orientation)) * left.displacement -
-        element.share *
-          (transpose(now.frame(touching.orientation)) *
-           (before * separation(state, element).of(state.accepted())));
+        transpose(now.frame(left.orientation)) * left.displacement +
+        element.share * motion;
       element.offset -= (element.offset * element.normal) * element.normal;
+      lean(element, now, apart.of(state.current()));
+      const auto linear = change(element, apart, state.current());
+      for (unsigned int k = 0; k < 2; ++k)
+        element.offset -= linear[k] * element.axes[k];
       return element;
+    }
+
+
+
+    void
+    FiberFriction::lean(Element            &element,
+                        const Pair         &now,
+                        const Tensor<1, 3> &arm) const
+    {
+      for (unsigned int k = 0; k < 2; ++k)
+        element.by_separation[k] = element.share * element.axes[k];
+      if (space.n_blocks_per_node() != 2)
+        return;
+
+      // The rotation w of the pair takes the arm d between the particles along:
+      // a motion less w x d rubs. The moment of both forces is borne by what
+      // turns the pair, so all moments balance. On surfaces there is no arm.
+      const auto turning = Contact::pair_turning(
+        now.tangent[0], now.tangent[1], element.orientation, now.connection);
+      const double along  = arm * element.axes[0],
+                   across = arm * element.axes[1], up = arm * element.normal;
+      const auto left_by = [&](const Tensor<1, 3> *w, const unsigned int k) {
+        return element.share *
+               (k == 0 ? across * w[2] - up * w[1] : up * w[0] - along * w[2]);
+      };
+      for (unsigned int k = 0; k < 2; ++k)
+        {
+          element.by_separation[k] += left_by(turning.by_connection, k);
+          for (unsigned int side = 0; side < 2; ++side)
+            element.by_tangent[side][k] = left_by(turning.by_tangent[side], k);
+        }
     }
 
 
@@ -141,7 +187,12 @@ namespace Heddle
           separation.weights[separation.n] = sign * axis.values[i];
         }
       if (space.n_blocks_per_node() == 2)
-        return;
+        {
+          const System::MaterialPoint slope = space.locate_tangent(fiber, s);
+          for (unsigned int i = 0; i < 4; ++i)
+            separation.slopes[separation.n - 4 + i] = slope.values[i];
+          return;
+        }
       const System::SectionPoint section = space.locate_section(fiber, s);
       for (unsigned int direction = 0; direction < 2; ++direction)
         for (unsigned int i = 0; i < 2; ++i, ++separation.n)
@@ -216,15 +267,41 @@ namespace Heddle
 
 
 
+    FiberFriction::Derivative::Derivative(const Element    &element,
+                                          const Separation &separation)
+    {
+      for (unsigned int k = 0; k < 2; ++k)
+        for (unsigned int i = 0; i < separation.n; ++i)
+          rows[k][i] = separation.weights[i] * element.by_separation[k] +
+                       separation.slopes[i] *
+                         element.by_tangent[2 * i < separation.n ? 0 : 1][k];
+    }
+
+
+
+    std::array<double, 2>
+    FiberFriction::change(const Element                   &element,
+                          const Separation                &separation,
+                          const std::vector<Tensor<1, 3>> &values)
+    {
+      const Derivative      derivative(element, separation);
+      std::array<double, 2> sums = {};
+      for (unsigned int k = 0; k < 2; ++k)
+        for (unsigned int i = 0; i < separation.n; ++i)
+          sums[k] += derivative.rows[k][i] * values[separation.blocks[i]];
+      return sums;
+    }
+
+
+
     Tensor<1, 3>
     FiberFriction::displacement(const Element                   &element,
                                 const Separation                &separation,
                                 const std::vector<Tensor<1, 3>> &values) const
     {
-      const Tensor<1, 3> apart = separation.of(values);
-      return element.offset +
-             element.share *
-               (apart - (apart * element.normal) * element.normal);
+      const auto moved = change(element, separation, values);
+      return element.offset + moved[0] * element.axes[0] +
+             moved[1] * element.axes[1];
     }
 
 
@@ -270,20 +347,32 @@ namespace Heddle
           const Separation   apart = separation(state, element);
           const Tensor<1, 3> u = displacement(element, apart, state.current());
           const Tensor<1, 3> force = element.law.force(u);
+          const Derivative   by(element, apart);
           const unsigned int n     = 3 * apart.n;
+          const double       along = force * element.axes[0],
+                       across      = force * element.axes[1];
           for (unsigned int i = 0; i < apart.n; ++i)
             for (unsigned int d = 0; d < 3; ++d)
-              residual[3 * i + d] = apart.weights[i] * force[d];
+              residual[3 * i + d] =
+                along * by.rows[0][i][d] + across * by.rows[1][i][d];
           if (system.wants_tangent())
             {
-              const Tensor<2, 3> k =
-                element.share * element.law.stiffness(u, element.normal);
-              for (unsigned int i = 0; i < apart.n; ++i)
-                for (unsigned int j = 0; j < apart.n; ++j)
-                  for (unsigned int d = 0; d < 3; ++d)
-                    for (unsigned int e = 0; e < 3; ++e)
-                      tangent[n * (3 * i + d) + 3 * j + e] =
-                        apart.weights[i] * apart.weights[j] * k[d][e];
+              const Tensor<2, 3> k = element.law.stiffness(u, element.normal);
+              const double       both = element.axes[0] * (k * element.axes[1]);
+              const double first      = element.axes[0] * (k * element.axes[0]),
+                           second     = element.axes[1] * (k * element.axes[1]);
+              for (unsigned int j = 0; j < apart.n; ++j)
+                {
+                  const Tensor<1, 3> f =
+                    first * by.rows[0][j] + both * by.rows[1][j];
+                  const Tensor<1, 3> g =
+                    both * by.rows[0][j] + second * by.rows[1][j];
+                  for (unsigned int i = 0; i < apart.n; ++i)
+                    for (unsigned int d = 0; d < 3; ++d)
+                      for (unsigned int e = 0; e < 3; ++e)
+                        tangent[n * (3 * i + d) + 3 * j + e] =
+                          by.rows[0][i][d] * f[e] + by.rows[1][i][d] * g[e];
+                }
             }
           system.add(
             apart.n, apart.blocks.data(), residual.data(), tangent.data());
@@ -303,11 +392,12 @@ namespace Heddle
             const Separation   apart = separation(state, element);
             const Tensor<1, 3> u =
               displacement(element, apart, state.current());
-            const Tensor<1, 3> change = apart.of(increment);
-            slope += element.law.force(u) * change;
+            const auto         moved = change(element, apart, increment);
+            const Tensor<1, 3> motion =
+              moved[0] * element.axes[0] + moved[1] * element.axes[1];
+            slope += element.law.force(u) * motion;
             curvature +=
-              element.share *
-              (change * (element.law.stiffness(u, element.normal) * change));
+              motion * (element.law.stiffness(u, element.normal) * motion);
           }
       return {slope, curvature};
     }

@@ -47,6 +47,10 @@ namespace Heddle
       Record
       at(const ContactElement &element, const double reach) const;
 
+      /** Whether both fibers touched within @p reach of the particles [mm]. */
+      bool
+      touched(const ContactElement &element, const double reach) const;
+
       /** @return the sum of the limits of the friction of two fibers, [N]. */
       double
       limit(const unsigned int fiber_a, const unsigned int fiber_b) const;

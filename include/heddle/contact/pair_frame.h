@@ -9,6 +9,14 @@ namespace Heddle
   {
     using namespace dealii;
 
+    namespace internal
+    {
+      /** The squared tangent of the angle at which both normals count alike. */
+      constexpr double pair_frame_blend = 0.1;
+    } // namespace internal
+
+
+
     /**
      * An orthonormal frame that turns with two touching fibers, by its rows:
      * along the intermediate geometry, across it, and normal to both fibers.
@@ -28,9 +36,6 @@ namespace Heddle
                const int           orientation,
                const Tensor<1, 3> &connection)
     {
-      // The squared tangent of the angle at which both normals count alike.
-      constexpr double blend = 0.1;
-
       const Tensor<1, 3> a       = tangent_a / tangent_a.norm();
       const Tensor<1, 3> b       = orientation * tangent_b / tangent_b.norm();
       const Tensor<1, 3> n       = connection / connection.norm();
@@ -38,7 +43,8 @@ namespace Heddle
 
       Tensor<2, 3> frame;
       frame[0] = (a + b) / (a + b).norm();
-      frame[2] = (crossed * n) * crossed + blend * (a * b) * (a * b) * n;
+      frame[2] = (crossed * n) * crossed +
+                 internal::pair_frame_blend * (a * b) * (a * b) * n;
       frame[2] -= (frame[2] * frame[0]) * frame[0];
       frame[2] /= frame[2].norm();
       frame[1] = cross_product_3d(frame[2], frame[0]);

@@ -23,8 +23,9 @@ namespace Heddle
      * fibers, plus what the particles moved against each other since, without
      * the rotation of both. Where the element has sections the particles lie on
      * the surfaces: friction bends, twists and rolls. The torsion-free element
-     * has particles on its axis, and fibers side by side roll over each other
-     * for nothing.
+     * has particles on its axis, and the rotation of the pair stands for that
+     * of the sections: friction bends, and fibers side by side roll over each
+     * other for nothing.
      *
      * Elements are placed anew with those of contact, whenever the
      * configuration changes: what is found to be in equilibrium is so for the
@@ -103,7 +104,16 @@ namespace Heddle
         /** Part of the step during which the fibers touched [-]. */
         double share;
 
-        /** Displacement where the particles coincide [mm]. */
+        /**
+         * Directions of the plane of contact, along the fibers and across, and
+         * how displacements in them grow with the separation of the particles
+         * and with the tangents of both fibers [-, -, mm].
+         */
+        Tensor<1, 3> axes[2];
+        Tensor<1, 3> by_separation[2];
+        Tensor<1, 3> by_tangent[2][2];
+
+        /** Displacement where all blocks are zero [mm]. */
         Tensor<1, 3> offset;
 
         /** Energy that the last step left, over the limit [mm]. */
@@ -119,9 +129,26 @@ namespace Heddle
         std::array<unsigned int, max_blocks> blocks; /**< local numbers */
         std::array<double, max_blocks>       weights;
 
+        /** Of the tangent of the fiber, where its rotation counts [1/mm]. */
+        std::array<double, max_blocks> slopes = {};
+
         Tensor<1, 3>
         of(const std::vector<Tensor<1, 3>> &values) const;
       };
+
+      /** Derivatives of both components of a displacement by the blocks. */
+      struct Derivative
+      {
+        Derivative(const Element &element, const Separation &separation);
+
+        std::array<std::array<Tensor<1, 3>, Separation::max_blocks>, 2> rows;
+      };
+
+      /** Change of the displacement with the motion @p values of blocks. */
+      static std::array<double, 2>
+      change(const Element                   &element,
+             const Separation                &separation,
+             const std::vector<Tensor<1, 3>> &values);
 
       Separation
       separation(const System::State &state, const Element &element) const;
@@ -161,6 +188,13 @@ namespace Heddle
       displacement(const Element                   &element,
                    const Separation                &separation,
                    const std::vector<Tensor<1, 3>> &values) const;
+
+      /**
+       * Set how the displacement of @p element grows with the blocks: @p now
+       * is the pair, @p arm what is between its particles.
+       */
+      void
+      lean(Element &element, const Pair &now, const Tensor<1, 3> &arm) const;
 
       /** Take particles, normals and forces from the contact as it is. */
       void
