@@ -40,6 +40,23 @@ namespace Heddle
                     "[-].",
                     prm,
                     Patterns::Double(0., 2.));
+      add_parameter(
+        "Friction of sets",
+        friction_of_sets,
+        "Coefficients of pairs of materials that differ from the "
+        "one above, as in 'warp-warp: 0.1, warp-weft: 0.2': sets "
+        "are 'warp' and 'weft', or those of the file of "
+        "centerlines [-].",
+        prm,
+        Patterns::Map(Patterns::Anything(), Patterns::Double(0., 2.)));
+      add_parameter("Friction of crossed fibers",
+                    crossed_friction,
+                    "Coefficient of fibers that cross at a right angle over "
+                    "that of parallel ones; between them it changes with the "
+                    "squared cosine of the angle. Inactive without friction "
+                    "[-].",
+                    prm,
+                    Patterns::Double(0., 10.));
       add_parameter("Reversible displacement",
                     reversible_displacement,
                     "Tangential displacement, as a part of the smaller radius, "
@@ -47,6 +64,17 @@ namespace Heddle
                     "without friction [-].",
                     prm,
                     Patterns::Double(1e-4, 1.));
+    }
+
+
+
+    bool
+    ContactParameters::has_friction() const
+    {
+      for (const auto &pair : friction_of_sets)
+        if (pair.second > 0.)
+          return true;
+      return friction > 0.;
     }
   } // namespace Contact
 } // namespace Heddle

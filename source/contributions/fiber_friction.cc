@@ -18,6 +18,7 @@ namespace Heddle
       : space(space)
       , parameters(parameters)
       , contact(contact)
+      , coefficients(space, parameters)
     {
     }
 
@@ -68,19 +69,34 @@ namespace Heddle
 
       const double radius_a = space.fiber(touching.fiber_a).radius,
                    radius_b = space.fiber(touching.fiber_b).radius;
-      element.law           = {parameters.friction * touching.force,
-                               parameters.reversible_displacement *
-                                 std::min(radius_a, radius_b)};
       element.place_a       = place_in_section(
         state, touching.fiber_a, touching.s_a, -radius_a * touching.normal);
       element.place_b = place_in_section(
         state, touching.fiber_b, touching.s_b, radius_b * touching.normal);
 
-      const Pair now            = pair(state, element, state.current()),
-                 then           = pair(state, element, state.accepted());
-      const Tensor<2, 3> before = then.frame(touching.orientation);
+      const Pair   now    = pair(state, element, state.current());
+      const double cosine = now.tangent[0] * now.tangent[1] /
+                            (now.tangent[0].norm() * now.tangent[1].norm());
+      element.law = {
+        coefficients(element.fiber_a, element.fiber_b, cosine) * touching.force,
+        parameters.reversible_displacement * std::min(radius_a, radius_b)};
+      set_displacement(state, touching, now, element);
+      return element;
+    }
 
-      const Tensor<2, 3> frame = now.frame(touching.orientation);
+
+
+    void
+    FiberFriction::set_displacement(const System::State           &state,
+                                    const Contact::ContactElement &touching,
+                                    const Pair                    &now,
+                                    Element &element) const
+    {
+      const double radius_a     = space.fiber(touching.fiber_a).radius,
+                   radius_b     = space.fiber(touching.fiber_b).radius;
+      const Pair         then   = pair(state, element, state.accepted());
+      const Tensor<2, 3> before = then.frame(touching.orientation),
+                         frame  = now.frame(touching.orientation);
       element.axes[0] = frame[0] - (frame[0] * element.normal) * element.normal;
       element.axes[0] /= element.axes[0].norm();
       element.axes[1] = cross_product_3d(element.normal, element.axes[0]);
@@ -112,7 +128,6 @@ namespace Heddle
       const auto linear = change(element, apart, state.current());
       for (unsigned int k = 0; k < 2; ++k)
         element.offset -= linear[k] * element.axes[k];
-      return element;
     }
 
 

@@ -74,7 +74,7 @@ namespace Heddle
       if (parameters.contact.enabled && fibers_can_touch())
         fiber_contact = std::make_shared<Contributions::FiberContact>(
           *fiber_space, parameters.contact);
-      if (fiber_contact && parameters.contact.friction > 0.)
+      if (fiber_contact && parameters.contact.has_friction())
         fiber_friction = std::make_shared<Contributions::FiberFriction>(
           *fiber_space, parameters.contact, *fiber_contact);
       if (fabric)

@@ -13,7 +13,8 @@ const double reversible = 0.05, amplitude = 0.2;
 
 
 
-/** Two short stiff fibers; the upper one is moved in x by @p drag. */
+/** Two short stiff fibers; the upper one is moved in x by @p drag. The lower
+ * one is of the set "core". */
 std::shared_ptr<Contributions::FiberContact>
 describe(Scene                      &scene,
          Contact::ContactParameters &contact,
@@ -40,8 +41,10 @@ describe(Scene                      &scene,
     }
   const Tensor<1, 3> x({1., 0., 0.}), y({0., 1., 0.}), z({0., 0., 1.});
   const double       half = 0.5 * length, height = 1.999 * radius;
+  auto               lower = straight_path(-half * x, half * x, 8, radius);
+  lower.set                = "core";
   scene.build(
-    {straight_path(-half * x, half * x, 8, radius),
+    {lower,
      straight_path(height * z - half * y, height * z + half * y, 8, radius)});
   const auto touch =
     std::make_shared<Contributions::FiberContact>(*scene.space, contact);
@@ -152,6 +155,27 @@ hold(const std::string &element)
 
 
 
+/** Force of slip over that of the coefficient, with others for this pair. */
+void
+coefficients(const std::string &what, const double expected)
+{
+  Scene                      scene;
+  Contact::ContactParameters contact;
+  if (what == "crossed")
+    contact.crossed_friction = 0.5;
+  else
+    contact.friction_of_sets[what] = 0.2;
+  describe(scene, contact, "director", 1e6, "0.2*t", "0");
+  bool converged     = scene.step(0.).converged;
+  converged          = scene.step(1.).converged && converged;
+  const double force = resistance(scene);
+  deallog << what << ": force of slip over mu N " << rounded(force)
+          << verdict(converged && std::abs(force - expected) < 1e-3)
+          << std::endl;
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -162,4 +186,7 @@ main(int argc, char **argv)
         cycle(element, steps);
       hold(element);
     }
+  coefficients("crossed", 0.5);
+  coefficients("core-", 2. / 3.);
+  coefficients("core-core", 1.);
 }

@@ -3,6 +3,9 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <map>
+#include <string>
+
 namespace Heddle
 {
   namespace Contact
@@ -18,11 +21,21 @@ namespace Heddle
     public:
       ContactParameters(const std::string &section = "/Contact");
 
+      /** Whether any two fibers rub. */
+      bool
+      has_friction() const;
+
       bool   enabled         = true;
       double threshold       = 0.02;
       double search_distance = 1.;
       double refinement      = 1.;
       double friction        = 0.;
+
+      /** By "SET-SET", in place of the coefficient above. */
+      std::map<std::string, double> friction_of_sets;
+
+      /** Coefficient of crossed fibers over that of parallel ones. */
+      double crossed_friction = 1.;
 
       /** Before slip, over the smaller radius. */
       double reversible_displacement = 0.05;

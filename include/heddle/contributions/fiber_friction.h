@@ -4,6 +4,7 @@
 #include <heddle/contact/friction_law.h>
 #include <heddle/contact/friction_memory.h>
 #include <heddle/contributions/fiber_contact.h>
+#include <heddle/contributions/friction_coefficients.h>
 
 #include <array>
 #include <vector>
@@ -189,6 +190,13 @@ namespace Heddle
                    const Separation                &separation,
                    const std::vector<Tensor<1, 3>> &values) const;
 
+      /** Set axes and displacement, with what the last step left. */
+      void
+      set_displacement(const System::State           &state,
+                       const Contact::ContactElement &touching,
+                       const Pair                    &now,
+                       Element                       &element) const;
+
       /**
        * Set how the displacement of @p element grows with the blocks: @p now
        * is the pair, @p arm what is between its particles.
@@ -211,6 +219,7 @@ namespace Heddle
       const System::FiberSpace         &space;
       const Contact::ContactParameters &parameters;
       const FiberContact               &contact;
+      const FrictionCoefficients        coefficients;
       Contact::FrictionMemory           memory;
       std::vector<Element>              elements;
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
