@@ -29,6 +29,13 @@ namespace Heddle
        */
       constexpr double first_softness = 0.2;
 
+      /** No guess is followed that lays fibers so deep in each other, in radii.
+       */
+      constexpr double deepest_guess = 0.3;
+
+      /** ... or that loses more than this part of the contacts. */
+      constexpr double largest_loss = 0.5;
+
 
 
       double
@@ -475,6 +482,15 @@ namespace Heddle
 
 
     bool
+    FiberContact::is_credible() const
+    {
+      return statistics.deepest < deepest_guess &&
+             statistics.n_active >= (1. - largest_loss) * accepted_active;
+    }
+
+
+
+    bool
     FiberContact::adapt(const System::State &)
     {
       const bool changed =
@@ -504,7 +520,8 @@ namespace Heddle
           sum += energy(element) * (cells.cells()[element.cell].hardened - 1.);
       hardening += Utilities::MPI::sum(sum, space.communicator());
       cells.accept();
-      accepted_cells = cells.cells();
+      accepted_cells  = cells.cells();
+      accepted_active = statistics.n_active;
     }
 
 

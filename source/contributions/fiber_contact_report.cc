@@ -70,6 +70,7 @@ namespace Heddle
           }
       archive.write(name() + "/cells", records);
       archive.write_number(name() + "/hardening", hardening);
+      archive.write_number(name() + "/active", accepted_active);
     }
 
 
@@ -95,7 +96,8 @@ namespace Heddle
           cell.penalty              = records.value(i)[2];
           saved.push_back(cell);
         }
-      hardening = archive.read_number(name() + "/hardening");
+      hardening       = archive.read_number(name() + "/hardening");
+      accepted_active = archive.read_number(name() + "/active");
       cells.set_cells(saved);
       accepted_cells = cells.cells();
       searched       = false;

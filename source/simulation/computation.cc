@@ -102,9 +102,10 @@ namespace Heddle
       state.load_factor    = 0.;
       for (const auto &contribution : stage.contributions)
         contribution->begin_stage(state);
-      if (!stage.measures_work)
+      if (!stage.is_loaded)
         return;
 
+      place.predictor.begin(state);
       // A step of no motion leaves the forces from which work counts.
       for (const auto &contribution : stage.contributions)
         contribution->begin_step(state);
@@ -177,8 +178,12 @@ namespace Heddle
         {
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
-          const Solver::NewtonResult result =
-            newton.solve(state, contributions, stage.aim);
+          const bool                 predicts = stage.is_loaded && i == 0;
+          const Solver::NewtonResult result   = newton.solve(
+            state,
+            contributions,
+            stage.aim,
+            predicts ? place.predictor.guess(state) : System::Increment());
           total.iterations += result.iterations;
           total.factorizations += result.factorizations;
           total.linear_iterations += result.linear_iterations;
@@ -215,6 +220,8 @@ namespace Heddle
       for (const auto &contribution : stage.contributions)
         contribution->accept_step(scene.state());
       scene.state().accept();
+      if (stage.is_loaded)
+        place.predictor.add(scene.state());
       ++place.number;
       log << "  converged after " << result.iterations << " iterations";
       if (!std::isnan(result.residual_ratio))

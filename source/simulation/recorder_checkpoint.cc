@@ -64,6 +64,7 @@ namespace Heddle
                     name + "\", which this scene does not have.");
           place.stepping = stepping[place.stage].get();
           stepping[place.stage]->load(archive);
+          place.predictor.load(archive, scene.space());
           for (const auto &contribution : stages[place.stage].contributions)
             contribution->load(archive);
           load_summary(archive);
@@ -79,6 +80,7 @@ namespace Heddle
     Recorder::save(ArchiveWriter &archive, const Place &place) const
     {
       place.stepping->save(archive);
+      place.predictor.save(archive, scene.space());
       for (const auto &contribution : scene.stages()[place.stage].contributions)
         contribution->save(archive);
       archive.write_number("summary/n_stages", summary.stages.size());

@@ -215,7 +215,7 @@ namespace Heddle
       Stage stage;
       stage.name          = "load";
       stage.plan          = parameters.load_stepping.plan();
-      stage.measures_work = true;
+      stage.is_loaded     = true;
       stage.contributions = {
         fiber_elasticity,
         std::make_shared<Contributions::Supports>(

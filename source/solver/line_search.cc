@@ -60,11 +60,13 @@ namespace Heddle
     LineSearch::best_step(const double longest)
     {
       // Where the slope is still negative the energy still falls; a small
-      // positive one is as good.
+      // positive one is as good. A model that bends down tells nothing of what
+      // lies further.
       double low = 0., slope_low = first_slope;
       double high       = std::min(1., longest);
       double slope_high = slope_at(high);
-      while (slope_high < -steep * std::abs(first_slope) &&
+      while (smooth_curvature > 0. &&
+             slope_high < -steep * std::abs(first_slope) &&
              2. * high <= longest)
         {
           const double slope_next = slope_at(2. * high);

@@ -38,6 +38,9 @@ namespace Heddle
       /** Prescribed motion that is below round-off, in radii. */
       constexpr double reached = 1e-9;
 
+      /** A guess that misses more than this of what is prescribed is none. */
+      constexpr double largest_miss = 0.5;
+
       /** Forces below this part of the axial stiffness are round-off. */
       constexpr double round_off = 1e-13;
     } // namespace
@@ -117,11 +120,13 @@ namespace Heddle
 
 
     NewtonResult
-    Newton::solve(System::State       &state,
-                  const Contributions &contributions,
-                  const Aim            aim)
+    Newton::solve(System::State           &state,
+                  const Contributions     &contributions,
+                  const Aim                aim,
+                  const System::Increment &guess)
     {
       begin(state);
+      const bool        guessed = follow(state, contributions, guess);
       NewtonResult      result;
       System::Increment increment;
       unsigned int      adapted_at = 0;
@@ -139,7 +144,8 @@ namespace Heddle
             contributions.begin(),
             contributions.end(),
             [](const auto &contribution) { return contribution->is_rough(); });
-          if (rough && iteration == 0 && residual.ratio >= unsettled)
+          if (rough && iteration == 0 && !guessed &&
+              residual.ratio >= unsettled)
             {
               set_softness(contributions, 1.);
               damping->reset(/*in_motion=*/true);
@@ -325,13 +331,16 @@ namespace Heddle
       place = Utilities::MPI::sum(place, communicator);
 
       std::ostringstream text;
+      const unsigned int yarn = space.fiber(worst.second).yarn_id;
       text << std::setprecision(3)
            << "forces are not in balance, the largest unbalanced one is "
            << ratio << " times what is typical ("
            << parameters.residual_tolerance
-           << " is accepted) and acts on fiber " << worst.second << " of yarn "
-           << space.fiber(worst.second).yarn_id << " near (" << place[0] << ", "
-           << place[1] << ", " << place[2]
+           << " is accepted) and acts on fiber " << worst.second
+           << (yarn == numbers::invalid_unsigned_int
+                 ? ""
+                 : " of yarn " + std::to_string(yarn))
+           << " near (" << place[0] << ", " << place[1] << ", " << place[2]
            << "); the last iteration moved fibers by up to " << motion
            << " radii";
       return text.str();
@@ -376,15 +385,89 @@ namespace Heddle
 
 
 
+    bool
+    Newton::follow(System::State           &state,
+                   const Contributions     &contributions,
+                   const System::Increment &guess)
+    {
+      if (guess.empty())
+        return false;
+      SectionTimer::Scope scope(timer, "detection");
+
+      // What does not bring the ends where they are to go leads elsewhere.
+      const auto motion = [&] {
+        System::Increment whole = guess;
+        whole.resize(state.n_local_blocks());
+        state.update_ghosts(whole);
+        return whole;
+      };
+      collect_constraints(state, contributions);
+      const double      before = pending_motion();
+      System::Increment whole  = motion();
+      state.move(1., whole);
+      collect_constraints(state, contributions);
+      const double after = pending_motion();
+      state.move(-1., whole);
+      if (after > largest_miss * before + reached * length_scale)
+        return false;
+
+      double left = 1., part = 0.;
+      while (true)
+        {
+          for (const auto &contribution : contributions)
+            contribution->update(state);
+          whole = motion();
+          if (!std::all_of(contributions.begin(),
+                           contributions.end(),
+                           [](const auto &one) { return one->is_credible(); }))
+            {
+              state.move(-part, whole);
+              return left + part < 1.;
+            }
+          if (left == 0.)
+            return true;
+          part = left;
+          for (const auto &contribution : contributions)
+            part = std::min(part, contribution->largest_step(state, whole));
+          part = Utilities::MPI::min(part, communicator);
+          state.move(part, whole);
+          left = left - part > round_off ? left - part : 0.;
+        }
+    }
+
+
+
+    void
+    Newton::collect_constraints(const System::State &state,
+                                const Contributions &contributions)
+    {
+      constraints.clear();
+      for (const auto &contribution : contributions)
+        contribution->constrain(state, constraints);
+    }
+
+
+
+    double
+    Newton::pending_motion() const
+    {
+      double largest = 0.;
+      for (const auto &constraint : constraints)
+        for (unsigned int d = 0; d < 3; ++d)
+          if (constraint.fixed[d])
+            largest = std::max(largest, std::abs(constraint.pending[d]));
+      return Utilities::MPI::max(largest, communicator);
+    }
+
+
+
     void
     Newton::prepare(System::State &state, const Contributions &contributions)
     {
       SectionTimer::Scope scope(timer, "detection");
       for (const auto &contribution : contributions)
         contribution->update(state);
-      constraints.clear();
-      for (const auto &contribution : contributions)
-        contribution->constrain(state, constraints);
+      collect_constraints(state, contributions);
 
       bool stale =
         !block_system->tangent() || ghost_version != state.ghost_version();
@@ -424,7 +507,7 @@ namespace Heddle
 
       // A block that is no position answers with a moment: per element length
       // that is a force.
-      std::array<double, 3> largest = {};
+      std::array<double, 2> largest = {};
       std::array<double, 2> sums    = {};
       const auto            owned   = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
@@ -446,10 +529,6 @@ namespace Heddle
                                     scale * block_system->residual()[k].norm());
             }
         }
-      for (const auto &constraint : constraints)
-        for (unsigned int d = 0; d < 3; ++d)
-          if (constraint.fixed[d])
-            largest[2] = std::max(largest[2], std::abs(constraint.pending[d]));
       max_over_ranks(largest, communicator);
       sum_over_ranks(sums, communicator);
 
@@ -464,7 +543,7 @@ namespace Heddle
       residual.ratio         = typical > 0. ? largest[0] / typical : 0.;
       residual.mean_ratio =
         typical > 0. ? std::sqrt(sums[0] / sums[1]) / typical : 0.;
-      residual.pending = largest[2] / length_scale;
+      residual.pending = pending_motion() / length_scale;
       return residual;
     }
 

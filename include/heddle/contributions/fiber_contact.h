@@ -77,6 +77,9 @@ namespace Heddle
         return statistics.n_watched > 0.;
       }
 
+      bool
+      is_credible() const override;
+
       std::pair<double, double>
       slope_and_curvature(const System::State     &state,
                           const System::Increment &increment) const override;
@@ -203,6 +206,7 @@ namespace Heddle
       Contact::CurveList                   curves;
       Contact::ContactCells                cells;
       std::vector<Contact::ContactCell>    accepted_cells;
+      double                               accepted_active = 0.;
       std::vector<Contact::ContactElement> contact_elements;
       Statistics                           statistics;
 

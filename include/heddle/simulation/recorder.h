@@ -9,6 +9,7 @@
 #include <heddle/io/history.h>
 #include <heddle/io/summary.h>
 #include <heddle/simulation/scene.h>
+#include <heddle/solver/predictor.h>
 
 #include <map>
 #include <memory>
@@ -32,6 +33,7 @@ namespace Heddle
         unsigned int                stage    = 0; /**< number of the stage */
         unsigned int                number   = 0; /**< step, over all stages */
         const Solver::LoadStepping *stepping = nullptr;
+        Solver::Predictor           predictor;
       };
 
       /** The folder must exist. @note Collective. */

@@ -25,8 +25,11 @@ namespace Heddle
       Solver::LoadPlan      plan;
       Solver::Aim           aim = Solver::Aim::equilibrium;
 
-      /** Whether forces at its beginning count for the work of its steps. */
-      bool measures_work = false;
+      /**
+       * Whether loads and supports act: forces at its beginning count for the
+       * work of its steps, and each step is guessed from those before it.
+       */
+      bool is_loaded = false;
 
       /** Makes the contributions ready for a step to this load factor. */
       std::function<void(const double)> set_up = [](const double) {};

@@ -73,13 +73,15 @@ namespace Heddle
              StopRequest                  &stop);
 
       /**
-       * Bring @p state to equilibrium, or as far as @p aim says.
+       * Bring @p state to equilibrium, or as far as @p aim says. A @p guess of
+       * the motion of the owned blocks to that equilibrium is followed first.
        * @note Collective. Throws Stopped on request.
        */
       NewtonResult
-      solve(System::State       &state,
-            const Contributions &contributions,
-            const Aim            aim = Aim::equilibrium);
+      solve(System::State           &state,
+            const Contributions     &contributions,
+            const Aim                aim   = Aim::equilibrium,
+            const System::Increment &guess = {});
 
       /**
        * The residual ratio of the current configuration, assembled anew.
@@ -108,6 +110,23 @@ namespace Heddle
       /** Create the linear system, once. */
       void
       begin(const System::State &state);
+
+      /**
+       * Go along @p guess in parts that all terms allow, as far as it is
+       * credible; return whether it was followed at all.
+       */
+      bool
+      follow(System::State           &state,
+             const Contributions     &contributions,
+             const System::Increment &guess);
+
+      void
+      collect_constraints(const System::State &state,
+                          const Contributions &contributions);
+
+      /** Largest motion that is prescribed and not yet done, over all ranks. */
+      double
+      pending_motion() const;
 
       void
       prepare(System::State &state, const Contributions &contributions);

@@ -107,6 +107,17 @@ namespace Heddle
       }
 
       /**
+       * Whether a configuration that was only guessed, and update()d, may be
+       * gone on from: not where fibers may come out of each other on the wrong
+       * side. The same on all ranks.
+       */
+      virtual bool
+      is_credible() const
+      {
+        return true;
+      }
+
+      /**
        * From 1 down to 0: a rough term may be so much smoother than it is,
        * while the iteration is on its way. Equilibrium is judged at 0.
        */

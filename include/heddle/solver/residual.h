@@ -1,0 +1,46 @@
+#ifndef heddle_solver_residual_h
+#define heddle_solver_residual_h
+
+#include <heddle/solver/line_search.h>
+
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    using namespace dealii;
+
+    /** Judgement of a residual, over all ranks. */
+    struct Residual
+    {
+      double largest_force = 0.; /**< unbalanced nodal force [N] */
+      double ratio         = 0.; /**< over the typical force [-] */
+      double mean_ratio    = 0.; /**< root mean square instead [-] */
+      double pending       = 0.; /**< prescribed motion left [mm] */
+    };
+
+    /**
+     * Judge what was assembled into @p system.
+     * @note Collective, like the functions below.
+     */
+    Residual
+    judge(const System::BlockSystem                          &system,
+          const Contributions                                &contributions,
+          const std::vector<System::BlockSystem::Constraint> &constraints);
+
+    /** Largest motion that is prescribed and not yet done [mm]. */
+    double
+    pending_motion(
+      const std::vector<System::BlockSystem::Constraint> &constraints,
+      const MPI_Comm                                      communicator);
+
+    /** "fiber 3 of yarn 1 near (0, 1, 0), where it touches fiber 7" */
+    std::string
+    largest_imbalance(const System::BlockSystem &system,
+                      const Contributions       &contributions);
+  } // namespace Solver
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,137 @@
+#include <heddle/base/reduce.h>
+#include <heddle/solver/residual.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    Residual
+    judge(const System::BlockSystem                          &system,
+          const Contributions                                &contributions,
+          const std::vector<System::BlockSystem::Constraint> &constraints)
+    {
+      const System::State      &state = system.state;
+      const System::FiberSpace &space = state.space;
+      std::vector<Tensor<1, 3>> unbalanced;
+      system.unbalanced(unbalanced);
+
+      // A block that is no position answers with a moment: per element length
+      // that is a force.
+      std::array<double, 2> largest = {};
+      std::array<double, 2> sums    = {};
+      const auto            owned   = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          const double length =
+            space.fiber(f).length / (space.fiber(f).n_nodes - 1);
+          for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+            {
+              const unsigned int k     = state.local_block(f) + b;
+              const bool   is_position = b % space.n_blocks_per_node() == 0;
+              const double scale       = is_position ? 1. : 1. / length;
+              if (is_position)
+                {
+                  sums[0] += unbalanced[k].norm_square();
+                  sums[1] += 1.;
+                }
+              largest[0] = std::max(largest[0], scale * unbalanced[k].norm());
+              largest[1] =
+                std::max(largest[1], scale * system.residual()[k].norm());
+            }
+        }
+      max_over_ranks(largest, space.communicator());
+      sum_over_ranks(sums, space.communicator());
+
+      double typical = 0.;
+      for (const auto &contribution : contributions)
+        typical = std::max(typical, contribution->typical_force());
+      if (typical == 0.)
+        typical = largest[1];
+
+      Residual residual;
+      residual.largest_force = largest[0];
+      residual.ratio         = typical > 0. ? largest[0] / typical : 0.;
+      residual.mean_ratio =
+        typical > 0. ? std::sqrt(sums[0] / sums[1]) / typical : 0.;
+      residual.pending = pending_motion(constraints, space.communicator());
+      return residual;
+    }
+
+
+
+    double
+    pending_motion(
+      const std::vector<System::BlockSystem::Constraint> &constraints,
+      const MPI_Comm                                      communicator)
+    {
+      double largest = 0.;
+      for (const auto &constraint : constraints)
+        for (unsigned int d = 0; d < 3; ++d)
+          if (constraint.fixed[d])
+            largest = std::max(largest, std::abs(constraint.pending[d]));
+      return Utilities::MPI::max(largest, communicator);
+    }
+
+
+
+    std::string
+    largest_imbalance(const System::BlockSystem &system,
+                      const Contributions       &contributions)
+    {
+      const System::State      &state = system.state;
+      const System::FiberSpace &space = state.space;
+      std::vector<Tensor<1, 3>> unbalanced;
+      system.unbalanced(unbalanced);
+      double       largest = -1.;
+      unsigned int fiber = 0, node = 0;
+      const auto   owned = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
+          {
+            const double force =
+              unbalanced[state.local_block(f) + i * space.n_blocks_per_node()]
+                .norm();
+            if (force > largest)
+              {
+                largest = force;
+                fiber   = f;
+                node    = i;
+              }
+          }
+
+      // The rank that has it says where it is.
+      const auto where =
+        Utilities::MPI::min_max_avg(largest, space.communicator());
+      std::ostringstream text;
+      if (where.max_index ==
+          Utilities::MPI::this_mpi_process(space.communicator()))
+        {
+          const unsigned int yarn = space.fiber(fiber).yarn_id;
+          const Tensor<1, 3> place =
+            state.fiber(fiber)[node * space.n_blocks_per_node()];
+          text << std::setprecision(3) << "fiber " << fiber;
+          if (yarn != numbers::invalid_unsigned_int)
+            text << " of yarn " << yarn;
+          text << " near (" << place[0] << ", " << place[1] << ", " << place[2]
+               << ")";
+          std::string begin = ", where it touches fiber ";
+          for (const auto &contribution : contributions)
+            for (const unsigned int other : contribution->partners(fiber, node))
+              {
+                text << begin << other;
+                begin = ", ";
+              }
+        }
+      return Utilities::MPI::broadcast(
+        space.communicator(), text.str(), where.max_index);
+    }
+  } // namespace Solver
+} // namespace Heddle
