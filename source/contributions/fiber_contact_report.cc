@@ -1,20 +1,61 @@
 #include <heddle/contributions/fiber_contact.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
 #include <iomanip>
+#include <set>
 #include <sstream>
 
 namespace Heddle
 {
   namespace Contributions
   {
+    std::vector<unsigned int>
+    FiberContact::partners(const unsigned int f, const unsigned int node) const
+    {
+      const double place = space.node_positions(f)[node],
+                   reach = space.fiber(f).length / (space.fiber(f).n_nodes - 1);
+      std::set<unsigned int> others;
+      for (const Contact::ContactElement &element : contact_elements)
+        if (element.force > 0.)
+          {
+            if (element.fiber_a == f && std::abs(element.s_a - place) < reach)
+              others.insert(element.fiber_b);
+            if (element.fiber_b == f && std::abs(element.s_b - place) < reach)
+              others.insert(element.fiber_a);
+          }
+      return {others.begin(), others.end()};
+    }
+
+
+
     std::string
     FiberContact::objection(const System::State &) const
     {
       if (statistics.deepest <= threshold)
         return "";
+
+      // The rank that has the zone names its fibers.
+      double             deepest = -1.;
+      std::ostringstream pair;
+      for (const Contact::ContactCell &cell : cells.cells())
+        {
+          const Contact::ContactCells::Zone &zone = cells.zones()[cell.zone];
+          if (zone.penetration / zone.radius > deepest)
+            {
+              deepest = zone.penetration / zone.radius;
+              pair.str("");
+              pair << "fibers " << cell.fiber_a << " and " << cell.fiber_b;
+            }
+        }
+      const auto where =
+        Utilities::MPI::min_max_avg(deepest, space.communicator());
       std::ostringstream text;
       text << std::setprecision(3) << "penetration " << statistics.deepest
-           << " of the radius, above " << threshold;
+           << " of the radius, above " << threshold << ", of "
+           << Utilities::MPI::broadcast(
+                space.communicator(), pair.str(), where.max_index);
       return text.str();
     }
 

@@ -139,8 +139,8 @@ namespace Heddle
             throw Stopped("stopped by " + stop.reason());
           prepare(state, contributions);
           assemble(state, contributions);
-          Residual   residual = judge(state, contributions);
-          const bool rough    = std::any_of(
+          Residual residual = judge(*block_system, contributions, constraints);
+          const bool rough  = std::any_of(
             contributions.begin(),
             contributions.end(),
             [](const auto &contribution) { return contribution->is_rough(); });
@@ -151,7 +151,7 @@ namespace Heddle
               damping->reset(/*in_motion=*/true);
               prepare(state, contributions);
               assemble(state, contributions);
-              residual = judge(state, contributions);
+              residual = judge(*block_system, contributions, constraints);
             }
           result.residual_ratio = residual.ratio;
           result.iterations     = iteration;
@@ -177,7 +177,7 @@ namespace Heddle
             {
               prepare(state, contributions);
               assemble(state, contributions);
-              residual              = judge(state, contributions);
+              residual = judge(*block_system, contributions, constraints);
               result.residual_ratio = residual.ratio;
               balanced              = is_balanced(residual);
               adapted_at            = iteration;
@@ -199,8 +199,8 @@ namespace Heddle
           if (iteration == parameters.max_iterations)
             {
               if (!balanced)
-                result.obstacle =
-                  describe_imbalance(state, residual.ratio, result.increment);
+                result.obstacle = describe_imbalance(
+                  contributions, residual.ratio, result.increment);
               else if (!still)
                 result.obstacle = "the fibers still move";
               return result;
@@ -216,7 +216,9 @@ namespace Heddle
               assemble(state, contributions);
               adapted_at = iteration;
             }
-          else if (calm && iteration >= adapted_at + patience &&
+          else if (calm &&
+                   iteration >=
+                     (guessed && adapted_at == 0 ? 1 : adapted_at + patience) &&
                    adapt(state, contributions))
             {
               prepare(state, contributions);
@@ -248,7 +250,7 @@ namespace Heddle
                         contributions,
                         increment,
                         motion,
-                        rough && residual.pending <= reached);
+                        rough && residual.pending <= reached * length_scale);
           if (rough)
             damping->adapt(state, increment, taken, length_scale);
           for (Tensor<1, 3> &motion_of_block : increment)
@@ -286,7 +288,7 @@ namespace Heddle
     bool
     Newton::is_balanced(const Residual &residual) const
     {
-      return softness == 0. && residual.pending <= reached &&
+      return softness == 0. && residual.pending <= reached * length_scale &&
              (residual.ratio <= parameters.residual_tolerance ||
               residual.largest_force <= round_off * stiffest);
     }
@@ -294,54 +296,17 @@ namespace Heddle
 
 
     std::string
-    Newton::describe_imbalance(const System::State &state,
+    Newton::describe_imbalance(const Contributions &contributions,
                                const double         ratio,
                                const double         motion) const
     {
-      const System::FiberSpace &space = state.space;
-      std::vector<Tensor<1, 3>> unbalanced;
-      block_system->unbalanced(unbalanced);
-      double       largest = -1.;
-      unsigned int fiber = 0, node = 0;
-      const auto   owned = space.owned_fibers();
-      for (unsigned int f = owned.first; f < owned.second; ++f)
-        for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
-          {
-            const double force =
-              unbalanced[state.local_block(f) + i * space.n_blocks_per_node()]
-                .norm();
-            if (force > largest)
-              {
-                largest = force;
-                fiber   = f;
-                node    = i;
-              }
-          }
-
-      // The rank that has it says where it is.
-      const auto all =
-        Utilities::MPI::gather(communicator, std::make_pair(largest, fiber));
-      const auto worst = Utilities::MPI::broadcast(
-        communicator,
-        all.empty() ? std::make_pair(0., 0u)
-                    : *std::max_element(all.begin(), all.end()));
-      Tensor<1, 3> place;
-      if (space.owns(worst.second))
-        place = state.fiber(worst.second)[node * space.n_blocks_per_node()];
-      place = Utilities::MPI::sum(place, communicator);
-
       std::ostringstream text;
-      const unsigned int yarn = space.fiber(worst.second).yarn_id;
       text << std::setprecision(3)
            << "forces are not in balance, the largest unbalanced one is "
            << ratio << " times what is typical ("
-           << parameters.residual_tolerance
-           << " is accepted) and acts on fiber " << worst.second
-           << (yarn == numbers::invalid_unsigned_int
-                 ? ""
-                 : " of yarn " + std::to_string(yarn))
-           << " near (" << place[0] << ", " << place[1] << ", " << place[2]
-           << "); the last iteration moved fibers by up to " << motion
+           << parameters.residual_tolerance << " is accepted) and acts on "
+           << largest_imbalance(*block_system, contributions)
+           << "; the last iteration moved fibers by up to " << motion
            << " radii";
       return text.str();
     }
@@ -380,7 +345,7 @@ namespace Heddle
       begin(state);
       prepare(state, contributions);
       assemble(state, contributions);
-      return judge(state, contributions).ratio;
+      return judge(*block_system, contributions, constraints).ratio;
     }
 
 
@@ -402,11 +367,11 @@ namespace Heddle
         return whole;
       };
       collect_constraints(state, contributions);
-      const double      before = pending_motion();
+      const double      before = pending_motion(constraints, communicator);
       System::Increment whole  = motion();
       state.move(1., whole);
       collect_constraints(state, contributions);
-      const double after = pending_motion();
+      const double after = pending_motion(constraints, communicator);
       state.move(-1., whole);
       if (after > largest_miss * before + reached * length_scale)
         return false;
@@ -448,19 +413,6 @@ namespace Heddle
 
 
 
-    double
-    Newton::pending_motion() const
-    {
-      double largest = 0.;
-      for (const auto &constraint : constraints)
-        for (unsigned int d = 0; d < 3; ++d)
-          if (constraint.fixed[d])
-            largest = std::max(largest, std::abs(constraint.pending[d]));
-      return Utilities::MPI::max(largest, communicator);
-    }
-
-
-
     void
     Newton::prepare(System::State &state, const Contributions &contributions)
     {
@@ -493,58 +445,6 @@ namespace Heddle
       block_system->begin(System::BlockSystem::Want::residual_and_tangent);
       for (const auto &contribution : contributions)
         contribution->assemble(state, *block_system);
-    }
-
-
-
-    Newton::Residual
-    Newton::judge(const System::State &state,
-                  const Contributions &contributions)
-    {
-      const System::FiberSpace &space = state.space;
-      std::vector<Tensor<1, 3>> unbalanced;
-      block_system->unbalanced(unbalanced);
-
-      // A block that is no position answers with a moment: per element length
-      // that is a force.
-      std::array<double, 2> largest = {};
-      std::array<double, 2> sums    = {};
-      const auto            owned   = space.owned_fibers();
-      for (unsigned int f = owned.first; f < owned.second; ++f)
-        {
-          const double length =
-            space.fiber(f).length / (space.fiber(f).n_nodes - 1);
-          for (unsigned int b = 0; b < space.n_blocks(f); ++b)
-            {
-              const unsigned int k     = state.local_block(f) + b;
-              const bool   is_position = b % space.n_blocks_per_node() == 0;
-              const double scale       = is_position ? 1. : 1. / length;
-              if (is_position)
-                {
-                  sums[0] += unbalanced[k].norm_square();
-                  sums[1] += 1.;
-                }
-              largest[0] = std::max(largest[0], scale * unbalanced[k].norm());
-              largest[1] = std::max(largest[1],
-                                    scale * block_system->residual()[k].norm());
-            }
-        }
-      max_over_ranks(largest, communicator);
-      sum_over_ranks(sums, communicator);
-
-      double typical = 0.;
-      for (const auto &contribution : contributions)
-        typical = std::max(typical, contribution->typical_force());
-      if (typical == 0.)
-        typical = largest[1];
-
-      Residual residual;
-      residual.largest_force = largest[0];
-      residual.ratio         = typical > 0. ? largest[0] / typical : 0.;
-      residual.mean_ratio =
-        typical > 0. ? std::sqrt(sums[0] / sums[1]) / typical : 0.;
-      residual.pending = pending_motion() / length_scale;
-      return residual;
     }
 
 

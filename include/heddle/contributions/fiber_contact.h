@@ -91,6 +91,10 @@ namespace Heddle
       bool
       adapt(const System::State &state) override;
 
+      /** Those that touch it within an element's length of the node. */
+      std::vector<unsigned int>
+      partners(const unsigned int f, const unsigned int node) const override;
+
       std::string
       objection(const System::State &state) const override;
 

@@ -7,6 +7,7 @@
 #include <heddle/solver/fiber_damping.h>
 #include <heddle/solver/line_search.h>
 #include <heddle/solver/linear_solver.h>
+#include <heddle/solver/residual.h>
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -98,15 +99,6 @@ namespace Heddle
       }
 
     private:
-      /** Judgement of a residual, over all ranks. */
-      struct Residual
-      {
-        double largest_force = 0.; /**< unbalanced nodal force [N] */
-        double ratio         = 0.; /**< over the typical force [-] */
-        double mean_ratio    = 0.; /**< root mean square instead [-] */
-        double pending       = 0.; /**< prescribed motion left, in radii [-] */
-      };
-
       /** Create the linear system, once. */
       void
       begin(const System::State &state);
@@ -123,10 +115,6 @@ namespace Heddle
       void
       collect_constraints(const System::State &state,
                           const Contributions &contributions);
-
-      /** Largest motion that is prescribed and not yet done, over all ranks. */
-      double
-      pending_motion() const;
 
       void
       prepare(System::State &state, const Contributions &contributions);
@@ -147,7 +135,7 @@ namespace Heddle
 
       /** Which fiber keeps the forces from being in balance, and where. */
       std::string
-      describe_imbalance(const System::State &state,
+      describe_imbalance(const Contributions &contributions,
                          const double         ratio,
                          const double         motion) const;
 
@@ -158,9 +146,6 @@ namespace Heddle
                   const System::Increment &increment,
                   const double             motion,
                   const bool               search);
-
-      Residual
-      judge(const System::State &state, const Contributions &contributions);
 
       double
       largest_motion(const System::State     &state,

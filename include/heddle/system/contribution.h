@@ -168,6 +168,16 @@ namespace Heddle
       }
 
       /**
+       * Other fibers that this term makes act on the owned fiber @p f next to
+       * its @p node. Local.
+       */
+      virtual std::vector<unsigned int>
+      partners(const unsigned int, const unsigned int) const
+      {
+        return {};
+      }
+
+      /**
        * Equilibrium was found and accepted: @p system has its forces, the
        * reactions of what is held among them.
        */
