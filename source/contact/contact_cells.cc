@@ -12,6 +12,9 @@ namespace Heddle
       /** A penalty aims below the threshold, lest it has to be raised again. */
       constexpr double safety = 0.75;
 
+      /** When penalties are raised, zones as near to the threshold are too. */
+      constexpr double near = 0.9;
+
       /** Largest factor by which a penalty grows at once. */
       constexpr double largest_growth = 4.;
 
@@ -405,23 +408,20 @@ namespace Heddle
 
 
 
-    bool
+    void
     ContactCells::adapt(const double threshold)
     {
-      bool changed = false;
       for (ContactCell &cell : all_cells)
         {
           const Zone  &zone  = all_zones[cell.zone];
           const double ratio = zone.penetration / (threshold * zone.radius);
-          if (ratio > 1.)
+          if (ratio > near)
             {
               const double growth = std::min(ratio / safety, largest_growth);
               cell.penalty *= growth;
               cell.hardened *= growth;
-              changed = true;
             }
         }
-      return changed;
     }
   } // namespace Contact
 } // namespace Heddle

@@ -34,7 +34,7 @@ namespace Heddle
       constexpr double deepest_guess = 0.3;
 
       /** ... or that loses more than this part of the contacts. */
-      constexpr double largest_loss = 0.5;
+      constexpr double largest_loss = 0.9;
 
 
 
@@ -493,9 +493,11 @@ namespace Heddle
     bool
     FiberContact::adapt(const System::State &)
     {
-      const bool changed =
-        cells.adapt(std::max(threshold, softness * thickest_skin));
-      return Utilities::MPI::max(changed ? 1 : 0, space.communicator()) > 0;
+      const double allowed = std::max(threshold, softness * thickest_skin);
+      if (statistics.deepest <= allowed)
+        return false;
+      cells.adapt(allowed);
+      return true;
     }
 
 

@@ -91,9 +91,9 @@ namespace Heddle
 
       /**
        * Raise the penalties of the zones whose deepest penetration exceeds
-       * @p threshold times the radius. Return whether there was one.
+       * @p threshold times the radius, or nearly does.
        */
-      bool
+      void
       adapt(const double threshold);
 
       const std::vector<Zone> &
