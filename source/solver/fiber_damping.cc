@@ -56,8 +56,28 @@ namespace Heddle
 
     template <typename Action>
     void
-    FiberDamping::for_each_node(const System::State &state,
-                                const Action        &action) const
+    FiberDamping::for_each_block(const System::State &state,
+                                 const unsigned int   f,
+                                 const Action        &action) const
+    {
+      // Three blocks per node: a position and two section vectors, which move
+      // the surface by the radius times their own motion. Two: a position and
+      // a tangent.
+      const System::Fiber &fiber      = space.fiber(f);
+      const unsigned int   n_per_node = space.n_blocks_per_node();
+      const unsigned int   n_free     = n_per_node == 3 ? 3 : 1;
+      for (unsigned int i = 0; i < fiber.n_nodes; ++i)
+        for (unsigned int k = 0; k < n_free; ++k)
+          action(state.local_block(f) + i * n_per_node + k,
+                 k == 0 ? 1. : fiber.radius);
+    }
+
+
+
+    template <typename Action>
+    void
+    FiberDamping::for_each_stiffness(const System::State &state,
+                                     const Action        &action) const
     {
       const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
@@ -66,9 +86,10 @@ namespace Heddle
           const double         stiffness =
             used(values[f - owned.first]) * fiber.section.axial /
             (fiber.radius * fiber.radius) * fiber.length / fiber.n_nodes;
-          for (unsigned int i = 0; i < fiber.n_nodes; ++i)
-            action(state.local_block(f) + i * space.n_blocks_per_node(),
-                   stiffness);
+          for_each_block(
+            state, f, [&](const unsigned int block, const double lever) {
+              action(block, stiffness * lever * lever);
+            });
         }
     }
 
@@ -78,7 +99,7 @@ namespace Heddle
     FiberDamping::add_to(System::BlockSystem &system,
                          const System::State &state) const
     {
-      for_each_node(
+      for_each_stiffness(
         state, [&system](const unsigned int block, const double stiffness) {
           system.add_diagonal(block, stiffness);
         });
@@ -91,7 +112,7 @@ namespace Heddle
                             const System::Increment &increment) const
     {
       double sum = 0.;
-      for_each_node(
+      for_each_stiffness(
         state,
         [&sum, &increment](const unsigned int block, const double stiffness) {
           sum += stiffness * increment[block].norm_square();
@@ -113,11 +134,10 @@ namespace Heddle
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
           double motion = 0.;
-          for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
-            motion = std::max(
-              motion,
-              increment[state.local_block(f) + i * space.n_blocks_per_node()]
-                .norm());
+          for_each_block(
+            state, f, [&](const unsigned int block, const double lever) {
+              motion = std::max(motion, lever * increment[block].norm());
+            });
           const double ratio = motion / (wanted_motion * radius);
           double      &value = values[f - owned.first];
           value *= std::clamp(ratio, 1. / largest_factor, largest_factor);

@@ -12,7 +12,7 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * A stiffness that holds the nodes of each fiber back in an iteration,
+     * A stiffness that holds the surface of each fiber back in an iteration,
      * after Levenberg (1944) and Marquardt (1963), but fiber by fiber: a fiber
      * that wants to move far is held the more the farther, one that is at rest
      * is let go. So a few fibers that still travel along soft modes do not keep
@@ -33,7 +33,7 @@ namespace Heddle
       void
       reset(const bool in_motion);
 
-      /** Add the stiffness to the position blocks. */
+      /** Add the stiffness to the blocks that it holds. */
       void
       add_to(System::BlockSystem &system, const System::State &state) const;
 
@@ -53,10 +53,21 @@ namespace Heddle
             const double             radius);
 
     private:
-      /** Call @p action(position block, stiffness) for all owned nodes. */
+      /**
+       * Call @p action(block, lever) for the positions and section vectors of
+       * fiber @p f: how far a motion of the block moves the surface.
+       */
       template <typename Action>
       void
-      for_each_node(const System::State &state, const Action &action) const;
+      for_each_block(const System::State &state,
+                     const unsigned int   f,
+                     const Action        &action) const;
+
+      /** Call @p action(block, stiffness) for those of all owned fibers. */
+      template <typename Action>
+      void
+      for_each_stiffness(const System::State &state,
+                         const Action        &action) const;
 
       const System::FiberSpace &space;
       const double              first;
