@@ -13,6 +13,9 @@ namespace Heddle
     {
       /** Load factors closer than this are one. */
       constexpr double tiny = 1e-12;
+
+      /** Good steps after a cut before it is forgotten. */
+      constexpr unsigned int first_patience = 3;
     } // namespace
 
 
@@ -124,8 +127,14 @@ namespace Heddle
     LoadStepping::accept(const unsigned int newton_iterations)
     {
       last = next();
+      ++n_good;
       if (newton_iterations <= plan.easy_iterations)
         step = std::min(1.5 * step, plan.largest_step);
+      else if (n_good >= patience && step < uncut)
+        {
+          step   = std::min(1.5 * step, uncut);
+          n_good = 0;
+        }
     }
 
 
@@ -137,7 +146,15 @@ namespace Heddle
       const double shorter = 0.5 * (next() - last);
       if (shorter < plan.smallest_step * (1. - 1e-6))
         return false;
-      step = shorter;
+
+      // If it was cut before, it has to be good for twice as long.
+      if (step >= uncut)
+        patience = first_patience;
+      else if (n_good > 0)
+        patience *= 2;
+      uncut  = std::max(uncut, step);
+      step   = shorter;
+      n_good = 0;
       return true;
     }
 
@@ -148,6 +165,9 @@ namespace Heddle
     {
       archive.write_number("load stepping/reached", last);
       archive.write_number("load stepping/step", step);
+      archive.write_number("load stepping/uncut", uncut);
+      archive.write_number("load stepping/n_good", n_good);
+      archive.write_number("load stepping/patience", patience);
     }
 
 
@@ -155,8 +175,11 @@ namespace Heddle
     void
     LoadStepping::load(const ArchiveReader &archive)
     {
-      last = archive.read_number("load stepping/reached");
-      step = archive.read_number("load stepping/step");
+      last     = archive.read_number("load stepping/reached");
+      step     = archive.read_number("load stepping/step");
+      uncut    = archive.read_number("load stepping/uncut");
+      n_good   = archive.read_number("load stepping/n_good");
+      patience = archive.read_number("load stepping/patience");
     }
   } // namespace Solver
 } // namespace Heddle

@@ -29,6 +29,20 @@ main()
     stepping.accept(5);
   deallog << "finished at " << stepping.reached() << std::endl;
 
+  // After a cut hard steps grow again, but less soon if they fail again.
+  plan.points = {};
+  Heddle::Solver::LoadStepping hard(plan);
+  for (const unsigned int iterations :
+       {20, 0, 20, 20, 20, 20, 0, 20, 20, 20, 20, 20, 20, 20})
+    {
+      deallog << hard.reached() << " -> " << hard.next();
+      if (iterations > 0)
+        hard.accept(iterations);
+      else
+        deallog << " failed, shorter " << hard.cut_back();
+      deallog << std::endl;
+    }
+
   Heddle::Solver::LoadStepping stubborn(plan);
   while (stubborn.cut_back())
     deallog << "halved to " << stubborn.next() << std::endl;

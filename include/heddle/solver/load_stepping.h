@@ -47,8 +47,9 @@ namespace Heddle
 
     /**
      * Adaptive steps of the load factor: halved when no equilibrium is found,
-     * half as long again after a step that was easy, and divided evenly before
-     * a requested point, so that none is left with a sliver.
+     * half as long again after a step that was easy, or when some steps in a
+     * row were good after a cut, up to what they were before; and divided
+     * evenly before a requested point, so that none is left with a sliver.
      */
     class LoadStepping
     {
@@ -96,6 +97,9 @@ namespace Heddle
       const LoadPlan plan;
       double         last = 0.;
       double         step;
+      double         uncut    = 0.; /**< the step before it was cut */
+      unsigned int   n_good   = 0;  /**< steps since the last cut or growth */
+      unsigned int   patience = 0;  /**< good steps before it grows again */
     };
   } // namespace Solver
 } // namespace Heddle
