@@ -9,35 +9,58 @@ namespace Heddle
 {
   namespace Contact
   {
-    namespace
-    {
-      auto
-      order(const FrictionMemory::Record &record)
-      {
-        return std::make_tuple(
-          record.fiber_a, record.fiber_b, record.s_a, record.s_b);
-      }
-
-
-
-      bool
-      earlier(const FrictionMemory::Record &left,
-              const FrictionMemory::Record &right)
-      {
-        return order(left) < order(right);
-      }
-    } // namespace
-
-
-
     void
     FrictionMemory::set(std::vector<Record> &new_records)
     {
       records.swap(new_records);
-      std::sort(records.begin(), records.end(), earlier);
+      std::sort(
+        records.begin(),
+        records.end(),
+        [](const Record &left, const Record &right) {
+          return std::tie(left.fiber_a, left.fiber_b, left.s_a, left.s_b) <
+                 std::tie(right.fiber_a, right.fiber_b, right.s_a, right.s_b);
+        });
       longest = 0.;
       for (const Record &record : records)
         longest = std::max(longest, record.weight);
+    }
+
+
+
+    ArrayView<const FrictionMemory::Record>
+    FrictionMemory::between(const unsigned int fiber_a,
+                            const unsigned int fiber_b,
+                            const double       first,
+                            const double       last) const
+    {
+      const auto begin = std::lower_bound(
+        records.begin(),
+        records.end(),
+        std::tie(fiber_a, fiber_b, first),
+        [](const Record &record, const auto &key) {
+          return std::tie(record.fiber_a, record.fiber_b, record.s_a) < key;
+        });
+
+      // They are few: the end is not worth another search among all.
+      const auto end =
+        std::find_if(begin, records.end(), [&](const Record &record) {
+          return record.fiber_a != fiber_a || record.fiber_b != fiber_b ||
+                 record.s_a > last;
+        });
+      return {records.data() + (begin - records.begin()),
+              static_cast<std::size_t>(end - begin)};
+    }
+
+
+
+    ArrayView<const FrictionMemory::Record>
+    FrictionMemory::around(const ContactElement &element,
+                           const double          distance) const
+    {
+      return between(element.fiber_a,
+                     element.fiber_b,
+                     element.s_a - distance,
+                     element.s_a + distance);
     }
 
 
@@ -46,16 +69,11 @@ namespace Heddle
     FrictionMemory::limit(const unsigned int fiber_a,
                           const unsigned int fiber_b) const
     {
-      const double lowest = -std::numeric_limits<double>::max();
-      const Record first  = {
-         fiber_a, fiber_b, lowest, lowest, 0., 1, Tensor<1, 3>(), 0.};
-      double sum = 0.;
-      for (auto record =
-             std::lower_bound(records.begin(), records.end(), first, earlier);
-           record != records.end() && record->fiber_a == fiber_a &&
-           record->fiber_b == fiber_b;
-           ++record)
-        sum += record->limit;
+      const double furthest = std::numeric_limits<double>::max();
+      double       sum      = 0.;
+      for (const Record &record :
+           between(fiber_a, fiber_b, -furthest, furthest))
+        sum += record.limit;
       return sum;
     }
 
@@ -65,24 +83,11 @@ namespace Heddle
     FrictionMemory::touched(const ContactElement &element,
                             const double          reach) const
     {
-      const double furthest = reach + element.weight + longest;
-      const Record first    = {element.fiber_a,
-                               element.fiber_b,
-                               element.s_a - furthest,
-                               -std::numeric_limits<double>::max(),
-                               0.,
-                               1,
-                               Tensor<1, 3>(),
-                               0.};
-      for (auto record =
-             std::lower_bound(records.begin(), records.end(), first, earlier);
-           record != records.end() && record->fiber_a == element.fiber_a &&
-           record->fiber_b == element.fiber_b &&
-           record->s_a <= element.s_a + furthest;
-           ++record)
-        if (std::max(std::abs(record->s_a - element.s_a),
-                     std::abs(record->s_b - element.s_b)) <
-            reach + element.weight + record->weight)
+      for (const Record &record :
+           around(element, reach + element.weight + longest))
+        if (std::max(std::abs(record.s_a - element.s_a),
+                     std::abs(record.s_b - element.s_b)) <
+            reach + element.weight + record.weight)
           return true;
       return false;
     }
@@ -98,9 +103,9 @@ namespace Heddle
       const double furthest = limit(longest);
       Record       result   = {element.fiber_a,
                                element.fiber_b,
-                               element.s_a - furthest,
-                               -std::numeric_limits<double>::max(),
-                               0.,
+                               element.s_a,
+                               element.s_b,
+                               element.weight,
                                element.orientation,
                                Tensor<1, 3>(),
                                0.};
@@ -111,24 +116,19 @@ namespace Heddle
       const Record *nearest[2]  = {nullptr, nullptr};
       double        distance[2] = {furthest, furthest};
       double        fade[2]     = {0., 0.};
-      for (auto record =
-             std::lower_bound(records.begin(), records.end(), result, earlier);
-           record != records.end() && record->fiber_a == element.fiber_a &&
-           record->fiber_b == element.fiber_b &&
-           record->s_a <= element.s_a + furthest;
-           ++record)
+      for (const Record &record : around(element, furthest))
         {
-          const double a     = record->s_a - element.s_a,
-                       b     = record->s_b - element.s_b;
-          const double along = 0.5 * (a + record->orientation * b),
+          const double a     = record.s_a - element.s_a,
+                       b     = record.s_b - element.s_b;
+          const double along = 0.5 * (a + record.orientation * b),
                        apart = std::max(std::abs(a), std::abs(b));
           const bool side    = along > 0.;
           if (apart < furthest && std::abs(along) < distance[side])
             {
-              nearest[side]  = &*record;
+              nearest[side]  = &record;
               distance[side] = std::abs(along);
               fade[side] =
-                std::clamp(2. - 2. * apart / limit(record->weight), 0., 1.);
+                std::clamp(2. - 2. * apart / limit(record.weight), 0., 1.);
             }
         }
 

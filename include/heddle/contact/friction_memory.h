@@ -4,6 +4,8 @@
 #include <heddle/base/archive.h>
 #include <heddle/contact/contact_element.h>
 
+#include <deal.II/base/array_view.h>
+
 #include <functional>
 #include <vector>
 
@@ -74,6 +76,17 @@ namespace Heddle
            const std::function<bool(unsigned int)> &wanted);
 
     private:
+      /** Records of two fibers with @p first <= s_a <= @p last [mm]. */
+      ArrayView<const Record>
+      between(const unsigned int fiber_a,
+              const unsigned int fiber_b,
+              const double       first,
+              const double       last) const;
+
+      /** Those of its fibers up to @p distance from an element along a. */
+      ArrayView<const Record>
+      around(const ContactElement &element, const double distance) const;
+
       std::vector<Record> records;      /**< by fiber a, fiber b, s_a, s_b */
       double              longest = 0.; /**< largest weight of a record */
     };
