@@ -1,0 +1,159 @@
+#ifndef heddle_contributions_friction_element_h
+#define heddle_contributions_friction_element_h
+
+#include <heddle/contact/contact_element.h>
+#include <heddle/system/state.h>
+
+#include <array>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /**
+     * Two material particles that rub against each other: how their
+     * displacement in the plane of contact follows from the blocks of both
+     * fibers. It knows neither forces nor what came before the last step.
+     *
+     * What the blocks are multiplied with stays the same until the element is
+     * made anew, and is kept: assembly and line search ask for it many times.
+     */
+    class FrictionElement
+    {
+    public:
+      /** Of two fibers: four of the axis, four of the section, on each. */
+      static constexpr unsigned int max_blocks = 16;
+
+      /** Motion of all blocks that the rank holds, or their configuration. */
+      using Values = std::vector<Tensor<1, 3>>;
+
+      /**
+       * Take the particles that @p touching has in the current configuration;
+       * where there are sections, those on the surfaces in between. Of the
+       * displacement nothing is set.
+       */
+      FrictionElement(const System::State           &state,
+                      const Contact::ContactElement &touching);
+
+      /** The pair of particles on the axes in some configuration. */
+      struct Pair
+      {
+        Tensor<1, 3> tangent[2];
+        Tensor<1, 3> connection; /**< from b to a [mm] */
+
+        Tensor<2, 3>
+        frame(const int orientation) const;
+      };
+
+      Pair
+      pair(const Values &values) const;
+
+      /** How the pair came from the last step to where it is. */
+      struct Motion
+      {
+        Pair         now;
+        Tensor<2, 3> frame;      /**< of the pair now, by its orientation */
+        double       cosine;     /**< of the angle between the fibers now [-] */
+        double       gap_before; /**< of the surfaces at the last step [mm] */
+        Tensor<1, 3> arm;        /**< between the particles now [mm] */
+
+        /** In the plane, without the rotation that both fibers share [mm]. */
+        Tensor<1, 3> displacement;
+      };
+
+      Motion
+      motion(const System::State &state) const;
+
+      /**
+       * Let the displacement be in the current configuration what was left at
+       * the last step, @p left in the frame for @p left_orientation, and the
+       * part @p share of the @p motion since.
+       */
+      void
+      set_displacement(const System::State &state,
+                       const Motion        &motion,
+                       const double         share,
+                       const Tensor<1, 3>  &left,
+                       const int            left_orientation);
+
+      /** Derivatives of both components of the displacement by the blocks. */
+      struct Derivative
+      {
+        explicit Derivative(const FrictionElement &element);
+
+        std::array<std::array<Tensor<1, 3>, max_blocks>, 2> rows;
+      };
+
+      /** Change of the displacement with the motion @p values of blocks. */
+      Tensor<1, 3>
+      change(const Derivative &derivative, const Values &values) const;
+
+      /** Displacement in the configuration @p values [mm]. */
+      Tensor<1, 3>
+      displacement(const Derivative &derivative, const Values &values) const;
+
+      /** The same where the derivative serves for nothing else. */
+      Tensor<1, 3>
+      displacement(const Values &values) const;
+
+      unsigned int fiber_a, fiber_b;
+      int          orientation;
+      unsigned int n_blocks;
+      double       s_a, s_b; /**< [mm] */
+      double       weight;   /**< [mm] */
+      Tensor<1, 3> normal;
+
+      /** Directions of the plane of contact, along the fibers and across. */
+      Tensor<1, 3> axes[2];
+
+      /** Local numbers, in halves for both fibers: the axis comes first. */
+      std::array<unsigned int, max_blocks> blocks;
+
+    private:
+      /** Without sections, whose rotation that of the pair then stands for. */
+      bool
+      on_axes() const
+      {
+        return n_blocks < max_blocks;
+      }
+
+      /** Add the blocks of one fiber: @p side is 0 for a, and 1 for b. */
+      void
+      add_particle(const System::State &state, const unsigned int side);
+
+      /** Between the particles in the configuration @p values. */
+      Tensor<1, 3>
+      separation(const Values &values) const;
+
+      /** Set how the displacement grows with the blocks. */
+      void
+      lean(const Motion &motion, const double share);
+
+      /** Both components of a change. */
+      std::array<double, 2>
+      components(const Derivative &derivative, const Values &values) const;
+
+      /** How the blocks make up the separation of the particles [-, mm]. */
+      std::array<double, max_blocks> weights;
+
+      /** How those of the axes make up the tangents of both fibers. */
+      std::array<double, 8> slopes;
+
+      /**
+       * How components of the displacement grow with the separation of the
+       * particles and, without sections, with the tangents of both fibers
+       * [-, mm].
+       */
+      Tensor<1, 3> by_separation[2];
+      Tensor<1, 3> by_tangent[2][2];
+
+      /** Displacement where all blocks are zero [mm]. */
+      Tensor<1, 3> offset;
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,264 @@
+#include <heddle/contact/pair_turning.h>
+#include <heddle/contributions/friction_element.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    namespace
+    {
+      /** Coordinates in the section of the vector @p r from the axis. */
+      std::array<double, 2>
+      place_in_section(const System::SectionPoint &point,
+                       const Tensor<1, 3>         *blocks,
+                       const Tensor<1, 3>         &r)
+      {
+        Tensor<1, 3> g[2];
+        for (unsigned int direction = 0; direction < 2; ++direction)
+          for (unsigned int i = 0; i < 2; ++i)
+            g[direction] +=
+              point.values[i] * blocks[point.blocks[i] + direction];
+
+        // The nearest vector of the section, by the normal equations.
+        const double a = g[0] * g[0], b = g[0] * g[1], c = g[1] * g[1];
+        const double p = r * g[0], q = r * g[1], determinant = a * c - b * b;
+        return {{(c * p - b * q) / determinant, (a * q - b * p) / determinant}};
+      }
+    } // namespace
+
+
+
+    FrictionElement::FrictionElement(const System::State           &state,
+                                     const Contact::ContactElement &touching)
+      : fiber_a(touching.fiber_a)
+      , fiber_b(touching.fiber_b)
+      , orientation(touching.orientation)
+      , n_blocks(0)
+      , s_a(touching.s_a)
+      , s_b(touching.s_b)
+      , weight(touching.weight)
+      , normal(touching.normal)
+    {
+      add_particle(state, 0);
+      add_particle(state, 1);
+    }
+
+
+
+    void
+    FrictionElement::add_particle(const System::State &state,
+                                  const unsigned int   side)
+    {
+      const System::FiberSpace   &space = state.space;
+      const unsigned int          fiber = side == 0 ? fiber_a : fiber_b;
+      const double                s     = side == 0 ? s_a : s_b;
+      const double                sign  = side == 0 ? 1. : -1.;
+      const unsigned int          first = state.local_block(fiber);
+      const System::MaterialPoint axis  = space.locate(fiber, s);
+      const System::MaterialPoint slope = space.locate_tangent(fiber, s);
+      Assert(axis.blocks == slope.blocks,
+             ExcMessage("Positions and tangents share their blocks."));
+      for (unsigned int i = 0; i < 4; ++i, ++n_blocks)
+        {
+          blocks[n_blocks]     = first + axis.blocks[i];
+          weights[n_blocks]    = sign * axis.values[i];
+          slopes[4 * side + i] = slope.values[i];
+        }
+      if (space.n_blocks_per_node() == 2)
+        return;
+
+      const System::SectionPoint section = space.locate_section(fiber, s);
+      const auto                 place =
+        place_in_section(section,
+                         state.fiber(fiber),
+                         (-sign * space.fiber(fiber).radius) * normal);
+      for (unsigned int direction = 0; direction < 2; ++direction)
+        for (unsigned int i = 0; i < 2; ++i, ++n_blocks)
+          {
+            blocks[n_blocks]  = first + section.blocks[i] + direction;
+            weights[n_blocks] = sign * place[direction] * section.values[i];
+          }
+    }
+
+
+
+    Tensor<1, 3>
+    FrictionElement::separation(const Values &values) const
+    {
+      Tensor<1, 3> sum;
+      for (unsigned int i = 0; i < n_blocks; ++i)
+        sum += weights[i] * values[blocks[i]];
+      return sum;
+    }
+
+
+
+    FrictionElement::Pair
+    FrictionElement::pair(const Values &values) const
+    {
+      Pair result;
+      for (unsigned int side = 0; side < 2; ++side)
+        {
+          const unsigned int first = side * (n_blocks / 2);
+          Tensor<1, 3>       position;
+          for (unsigned int i = 0; i < 4; ++i)
+            {
+              const Tensor<1, 3> &block = values[blocks[first + i]];
+              position += weights[first + i] * block;
+              result.tangent[side] += slopes[4 * side + i] * block;
+            }
+          result.connection += position;
+        }
+      return result;
+    }
+
+
+
+    Tensor<2, 3>
+    FrictionElement::Pair::frame(const int orientation) const
+    {
+      return Contact::pair_frame(
+        tangent[0], tangent[1], orientation, connection);
+    }
+
+
+
+    FrictionElement::Motion
+    FrictionElement::motion(const System::State &state) const
+    {
+      Motion result;
+      result.now         = pair(state.current());
+      const auto &t      = result.now.tangent;
+      result.cosine      = t[0] * t[1] / (t[0].norm() * t[1].norm());
+      result.frame       = result.now.frame(orientation);
+      result.arm         = separation(state.current());
+      const Pair   then  = pair(state.accepted());
+      Tensor<2, 3> frame = then.frame(orientation);
+      result.gap_before =
+        frame[2] * then.connection -
+        (state.space.fiber(fiber_a).radius + state.space.fiber(fiber_b).radius);
+
+      const Tensor<1, 3> began =
+        transpose(result.frame) * (frame * separation(state.accepted()));
+      result.displacement = result.arm - began;
+      result.displacement -= (result.displacement * normal) * normal;
+      return result;
+    }
+
+
+
+    void
+    FrictionElement::set_displacement(const System::State &state,
+                                      const Motion        &motion,
+                                      const double         share,
+                                      const Tensor<1, 3>  &left,
+                                      const int            left_orientation)
+    {
+      const Tensor<2, 3> &frame = motion.frame;
+      axes[0]                   = frame[0] - (frame[0] * normal) * normal;
+      axes[0] /= axes[0].norm();
+      axes[1] = cross_product_3d(normal, axes[0]);
+
+      // Near a right angle the frame that is remembered may be another one.
+      const Tensor<1, 3> turned =
+        left_orientation == orientation
+          ? transpose(frame) * left
+          : transpose(motion.now.frame(left_orientation)) * left;
+      offset = turned + share * motion.displacement;
+      offset -= (offset * normal) * normal;
+
+      lean(motion, share);
+      const auto linear = components(Derivative(*this), state.current());
+      for (unsigned int k = 0; k < 2; ++k)
+        offset -= linear[k] * axes[k];
+    }
+
+
+
+    void
+    FrictionElement::lean(const Motion &motion, const double share)
+    {
+      for (unsigned int k = 0; k < 2; ++k)
+        by_separation[k] = share * axes[k];
+      if (!on_axes())
+        return;
+
+      // The rotation w of the pair takes the arm d between the particles along:
+      // a motion less w x d rubs. The moment of both forces is borne by what
+      // turns the pair, so all moments balance. On surfaces there is no arm.
+      const auto   turning = Contact::pair_turning(motion.now.tangent[0],
+                                                 motion.now.tangent[1],
+                                                 orientation,
+                                                 motion.now.connection);
+      const double along = motion.arm * axes[0], across = motion.arm * axes[1],
+                   up    = motion.arm * normal;
+      const auto left_by = [&](const Tensor<1, 3> *w, const unsigned int k) {
+        return share *
+               (k == 0 ? across * w[2] - up * w[1] : up * w[0] - along * w[2]);
+      };
+      for (unsigned int k = 0; k < 2; ++k)
+        {
+          by_separation[k] += left_by(turning.by_connection, k);
+          for (unsigned int side = 0; side < 2; ++side)
+            by_tangent[side][k] = left_by(turning.by_tangent[side], k);
+        }
+    }
+
+
+
+    FrictionElement::Derivative::Derivative(const FrictionElement &element)
+    {
+      for (unsigned int k = 0; k < 2; ++k)
+        if (element.on_axes())
+          for (unsigned int i = 0; i < 8; ++i)
+            rows[k][i] = element.weights[i] * element.by_separation[k] +
+                         element.slopes[i] * element.by_tangent[i / 4][k];
+        else
+          for (unsigned int i = 0; i < max_blocks; ++i)
+            rows[k][i] = element.weights[i] * element.by_separation[k];
+    }
+
+
+
+    std::array<double, 2>
+    FrictionElement::components(const Derivative &derivative,
+                                const Values     &values) const
+    {
+      std::array<double, 2> sums = {};
+      for (unsigned int k = 0; k < 2; ++k)
+        for (unsigned int i = 0; i < n_blocks; ++i)
+          sums[k] += derivative.rows[k][i] * values[blocks[i]];
+      return sums;
+    }
+
+
+
+    Tensor<1, 3>
+    FrictionElement::change(const Derivative &derivative,
+                            const Values     &values) const
+    {
+      const auto moved = components(derivative, values);
+      return moved[0] * axes[0] + moved[1] * axes[1];
+    }
+
+
+
+    Tensor<1, 3>
+    FrictionElement::displacement(const Derivative &derivative,
+                                  const Values     &values) const
+    {
+      const auto moved = components(derivative, values);
+      return offset + moved[0] * axes[0] + moved[1] * axes[1];
+    }
+
+
+
+    Tensor<1, 3>
+    FrictionElement::displacement(const Values &values) const
+    {
+      return displacement(Derivative(*this), values);
+    }
+  } // namespace Contributions
+} // namespace Heddle
