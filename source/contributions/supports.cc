@@ -128,7 +128,7 @@ namespace Heddle
     void
     Supports::observe(const System::BlockSystem &system)
     {
-      std::vector<double>       sums(3 * reactions.size(), 0.);
+      std::vector<double>       sums(6 * reactions.size(), 0.);
       std::vector<Tensor<1, 3>> forces(system.state.n_owned_blocks());
       for (const HeldBlock &held : blocks)
         if (space.owns(held.fiber))
@@ -136,16 +136,31 @@ namespace Heddle
             const unsigned int block =
               system.state.local_block(held.fiber) + held.block;
             forces[block] = system.residual()[block];
-            if (held.kind != HeldBlock::Kind::position)
-              continue;
+
+            // What is conjugate to a section vector or a tangent g is a moment
+            // over its length: g x f. It adds to that of the forces.
             for (unsigned int d = 0; d < 3; ++d)
               if (held.holder[d] != HeldBlock::nobody)
-                sums[3 * held.holder[d] + d] += forces[block][d];
+                {
+                  double      *sum = sums.data() + 6 * held.holder[d];
+                  Tensor<1, 3> force;
+                  force[d] = forces[block][d];
+                  if (held.kind == HeldBlock::Kind::position)
+                    sum[d] += force[d];
+                  const Tensor<1, 3> moment =
+                    cross_product_3d(system.state.current()[block], force);
+                  for (unsigned int e = 0; e < 3; ++e)
+                    sum[3 + e] += moment[e];
+                }
           }
       work.set_forces(forces);
       Utilities::MPI::sum(sums, space.communicator(), sums);
-      for (unsigned int k = 0; k < sums.size(); ++k)
-        reactions[k / 3][k % 3] = sums[k];
+      for (unsigned int i = 0; i < reactions.size(); ++i)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            reactions[i].force[d]  = sums[6 * i + d];
+            reactions[i].moment[d] = sums[6 * i + 3 + d];
+          }
     }
 
 
@@ -156,8 +171,13 @@ namespace Heddle
     {
       for (unsigned int i = 0; i < reactions.size(); ++i)
         for (unsigned int d = 0; d < 3; ++d)
-          values["support_" + std::to_string(i + 1) + "_force_" + "xyz"[d] +
-                 "[N]"] = reactions[i][d];
+          {
+            const std::string begin = "support_" + std::to_string(i + 1);
+            values[begin + "_force_" + "xyz"[d] + "[N]"] =
+              reactions[i].force[d];
+            values[begin + "_moment_" + "xyz"[d] + "[N*mm]"] =
+              reactions[i].moment[d];
+          }
       values["external_work[N*mm]"] += work.value();
     }
 

@@ -1,7 +1,8 @@
 // Prescribed motions are met exactly, sections turn as told, a support in a
 // frame that lies askew answers like one along the axes, and the reactions of
-// all supports and the loads sum to nothing. Zeros are printed as the number of
-// radii, forces in units of the axial stiffness times 1e-6.
+// all supports and the loads sum to nothing, as do their moments. Zeros are
+// printed as the number of radii, forces in units of the axial stiffness times
+// 1e-6.
 #include "scene.h"
 
 const double radius = 0.01;
@@ -104,7 +105,13 @@ test_turn(const std::string &element)
     normal = cross_product_3d(normal, scene->block(0, last, 2));
   deallog << element << ": converged " << result.converged << ", angle "
           << std::atan2(normal[1], normal[0]) << ", length of the vector "
-          << normal.norm() << std::endl;
+          << normal.norm();
+  const auto values = scene->report();
+  for (const std::string component : {"x", "y", "z"})
+    deallog << ", moment " << component << ' '
+            << rounded(values.at("support_1_moment_" + component + "[N*mm]") +
+                       values.at("support_2_moment_" + component + "[N*mm]"));
+  deallog << std::endl;
 }
 
 

@@ -65,8 +65,9 @@ namespace Heddle
       observe(const System::BlockSystem &system) override;
 
       /**
-       * The sum of the forces by which each support acts on the fibers, and
-       * what all of them have done.
+       * The sum of the forces by which each support acts on the fibers, their
+       * moment about the origin, with that on held sections, and the work of
+       * all supports.
        */
       void
       report(const System::State           &state,
@@ -91,6 +92,12 @@ namespace Heddle
         Tensor<1, 3>                               axis;
       };
 
+      struct Reaction
+      {
+        Tensor<1, 3> force;  /**< [N] */
+        Tensor<1, 3> moment; /**< about the origin [N mm] */
+      };
+
       /** Where the motion takes a block; free components: its reference. */
       Tensor<1, 3>
       target(const HeldBlock &held, const double load_factor) const;
@@ -99,7 +106,7 @@ namespace Heddle
       const SupportList        &supports;
       std::vector<HeldBlock>    blocks;
       std::vector<Motion>       motions;
-      std::vector<Tensor<1, 3>> reactions; /**< [N] */
+      std::vector<Reaction>     reactions;
       ExternalWork              work;
     };
   } // namespace Contributions
