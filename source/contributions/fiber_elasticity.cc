@@ -1,13 +1,26 @@
 #include <heddle/base/reduce.h>
 #include <heddle/contributions/fiber_elasticity.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <array>
+#include <cmath>
+#include <iomanip>
 #include <numeric>
+#include <sstream>
 
 namespace Heddle
 {
   namespace Contributions
   {
+    namespace
+    {
+      /** No fiber bears more, by far [-]. */
+      constexpr double largest_strain = 0.3;
+    } // namespace
+
+
+
     template <typename Action>
     void
     FiberElasticity::for_each_element(const System::State &state,
@@ -113,6 +126,41 @@ namespace Heddle
                                            stresses.data() + offset(f, e));
         });
       predicted = true;
+    }
+
+
+
+    std::string
+    FiberElasticity::objection(const System::State &state) const
+    {
+      double             largest = 0.;
+      std::ostringstream worst;
+      for_each_element(
+        state,
+        [&](const unsigned int f, const unsigned int e, unsigned int first) {
+          const Tensor<1, 3> *blocks = state.current().data() + first;
+          const double        length = space.element_length(f, e);
+          const auto          split  = space.element().energy_split(
+            space.fiber(f).section, blocks, length, reference_strains(f, e));
+          const double strain =
+            std::sqrt(2. * (split.axial + split.shear + split.section) /
+                      (space.fiber(f).section.axial * length));
+          if (strain > largest)
+            {
+              largest = strain;
+              worst.str("");
+              worst << std::setprecision(3) << "fiber " << f
+                    << " is strained by " << strain << " near (" << blocks[0][0]
+                    << ", " << blocks[0][1] << ", " << blocks[0][2]
+                    << "), an element may be turned inside out";
+            }
+        });
+      const auto where =
+        Utilities::MPI::min_max_avg(largest, space.communicator());
+      return where.max < largest_strain
+               ? ""
+               : Utilities::MPI::broadcast(
+                   space.communicator(), worst.str(), where.max_index);
     }
 
 

@@ -139,8 +139,9 @@ namespace Heddle
             throw Stopped("stopped by " + stop.reason());
           prepare(state, contributions);
           assemble(state, contributions);
-          Residual residual = judge(*block_system, contributions, constraints);
-          const bool rough  = std::any_of(
+          Residual residual = judge(
+            *block_system, contributions, constraints, round_off * stiffest);
+          const bool rough = std::any_of(
             contributions.begin(),
             contributions.end(),
             [](const auto &contribution) { return contribution->is_rough(); });
@@ -151,7 +152,10 @@ namespace Heddle
               damping->reset(/*in_motion=*/true);
               prepare(state, contributions);
               assemble(state, contributions);
-              residual = judge(*block_system, contributions, constraints);
+              residual = judge(*block_system,
+                               contributions,
+                               constraints,
+                               round_off * stiffest);
             }
           result.residual_ratio = residual.ratio;
           result.iterations     = iteration;
@@ -177,7 +181,10 @@ namespace Heddle
             {
               prepare(state, contributions);
               assemble(state, contributions);
-              residual = judge(*block_system, contributions, constraints);
+              residual              = judge(*block_system,
+                               contributions,
+                               constraints,
+                               round_off * stiffest);
               result.residual_ratio = residual.ratio;
               balanced              = is_balanced(residual);
               adapted_at            = iteration;
@@ -289,8 +296,7 @@ namespace Heddle
     Newton::is_balanced(const Residual &residual) const
     {
       return softness == 0. && residual.pending <= reached * length_scale &&
-             (residual.ratio <= parameters.residual_tolerance ||
-              residual.largest_force <= round_off * stiffest);
+             residual.ratio <= parameters.residual_tolerance;
     }
 
 
@@ -345,7 +351,9 @@ namespace Heddle
       begin(state);
       prepare(state, contributions);
       assemble(state, contributions);
-      return judge(*block_system, contributions, constraints).ratio;
+      return judge(
+               *block_system, contributions, constraints, round_off * stiffest)
+        .ratio;
     }
 
 
@@ -355,7 +363,11 @@ namespace Heddle
                    const Contributions     &contributions,
                    const System::Increment &guess)
     {
-      if (guess.empty())
+      // Without rough terms Newton's method goes further in one step.
+      if (guess.empty() ||
+          std::none_of(contributions.begin(),
+                       contributions.end(),
+                       [](const auto &one) { return one->is_rough(); }))
         return false;
       SectionTimer::Scope scope(timer, "detection");
 

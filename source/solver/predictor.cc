@@ -2,6 +2,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <Eigen/Geometry>
+
 namespace Heddle
 {
   namespace Solver
@@ -15,6 +17,28 @@ namespace Heddle
       entry(const unsigned int i, const std::string &name)
       {
         return "predictor/point-" + std::to_string(i) + "/" + name;
+      }
+      /** Columns: the orthonormal frame of a section, from its two vectors. */
+      Eigen::Matrix3d
+      frame_of(const Tensor<1, 3> *vectors)
+      {
+        const Eigen::Map<const Eigen::Vector3d> first(vectors[0].begin_raw()),
+          second(vectors[1].begin_raw());
+        Eigen::Matrix3d frame;
+        frame.col(0) = first.normalized();
+        frame.col(2) = first.cross(second).normalized();
+        frame.col(1) = frame.col(2).cross(frame.col(0));
+        return frame;
+      }
+
+
+
+      /** From frame @p a to frame @p b [rad]. */
+      Eigen::Vector3d
+      rotation_vector(const Eigen::Matrix3d &a, const Eigen::Matrix3d &b)
+      {
+        const Eigen::AngleAxisd rotation(b * a.transpose());
+        return rotation.angle() * rotation.axis();
       }
     } // namespace
 
@@ -50,20 +74,54 @@ namespace Heddle
         return {};
 
       // Lagrange's polynomial.
+      std::vector<double> weights(points.size(), 1.);
+      for (unsigned int i = 0; i < points.size(); ++i)
+        for (unsigned int j = 0; j < points.size(); ++j)
+          if (i != j)
+            weights[i] *= (state.load_factor - points[j].load_factor) /
+                          (points[i].load_factor - points[j].load_factor);
       System::Increment motion(state.n_owned_blocks());
-      for (const Point &point : points)
-        {
-          double weight = 1.;
-          for (const Point &other : points)
-            if (&other != &point)
-              weight *= (state.load_factor - other.load_factor) /
-                        (point.load_factor - other.load_factor);
-          for (unsigned int b = 0; b < motion.size(); ++b)
-            motion[b] += weight * point.blocks[b];
-        }
       for (unsigned int b = 0; b < motion.size(); ++b)
-        motion[b] -= state.current()[b];
+        {
+          for (unsigned int i = 0; i < points.size(); ++i)
+            motion[b] += weights[i] * points[i].blocks[b];
+          motion[b] -= state.current()[b];
+        }
+      if (state.space.n_blocks_per_node() == 3)
+        for (unsigned int b = 1; b < motion.size(); b += 3)
+          rotate_section(weights, b, motion.data() + b);
       return motion;
+    }
+
+
+
+    void
+    Predictor::rotate_section(const std::vector<double> &weights,
+                              const unsigned int         first,
+                              Tensor<1, 3>              *motion) const
+    {
+      const Tensor<1, 3>   *vectors = points.back().blocks.data() + first;
+      const Eigen::Matrix3d frame   = frame_of(vectors);
+      Eigen::Vector3d       turned  = Eigen::Vector3d::Zero();
+      for (unsigned int i = 0; i + 1 < points.size(); ++i)
+        turned +=
+          weights[i] *
+          rotation_vector(frame, frame_of(points[i].blocks.data() + first));
+      const double angle = turned.norm();
+      if (angle == 0.)
+        {
+          motion[0] = motion[1] = Tensor<1, 3>();
+          return;
+        }
+      const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(angle, turned / angle).toRotationMatrix();
+      for (unsigned int k = 0; k < 2; ++k)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            motion[k][d] = -vectors[k][d];
+            for (unsigned int e = 0; e < 3; ++e)
+              motion[k][d] += rotation(d, e) * vectors[k][e];
+          }
     }
 
 

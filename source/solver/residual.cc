@@ -16,7 +16,8 @@ namespace Heddle
     Residual
     judge(const System::BlockSystem                          &system,
           const Contributions                                &contributions,
-          const std::vector<System::BlockSystem::Constraint> &constraints)
+          const std::vector<System::BlockSystem::Constraint> &constraints,
+          const double                                        negligible)
     {
       const System::State      &state = system.state;
       const System::FiberSpace &space = state.space;
@@ -58,9 +59,11 @@ namespace Heddle
 
       Residual residual;
       residual.largest_force = largest[0];
-      residual.ratio         = typical > 0. ? largest[0] / typical : 0.;
-      residual.mean_ratio =
-        typical > 0. ? std::sqrt(sums[0] / sums[1]) / typical : 0.;
+      if (largest[0] > negligible)
+        {
+          residual.ratio      = largest[0] / typical;
+          residual.mean_ratio = std::sqrt(sums[0] / sums[1]) / typical;
+        }
       residual.pending = pending_motion(constraints, space.communicator());
       return residual;
     }

@@ -46,6 +46,13 @@ namespace Heddle
       predict(const System::State     &state,
               const System::Increment &increment) override;
 
+      /**
+       * An element that is strained beyond all that a fiber bears: the law has
+       * equilibria in which elements are turned inside out.
+       */
+      std::string
+      objection(const System::State &state) const override;
+
       void
       report(const System::State           &state,
              std::map<std::string, double> &values) const override;

@@ -15,6 +15,7 @@ namespace Heddle
     /**
      * Guesses where the next load factor takes the fibers: along the parabola
      * through the last three equilibria, or the line through the last two.
+     * Sections keep their shape: of them the rotation vector is guessed so.
      */
     class Predictor
     {
@@ -48,6 +49,12 @@ namespace Heddle
         double                    load_factor;
         std::vector<Tensor<1, 3>> blocks; /**< owned ones */
       };
+
+      /** Of the two section vectors from block @p first on. */
+      void
+      rotate_section(const std::vector<double> &weights,
+                     const unsigned int         first,
+                     Tensor<1, 3>              *motion) const;
 
       std::vector<Point> points; /**< the last ones, in ascending order */
     };

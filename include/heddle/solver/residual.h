@@ -22,13 +22,15 @@ namespace Heddle
     };
 
     /**
-     * Judge what was assembled into @p system.
+     * Judge what was assembled into @p system. Forces below @p negligible [N]
+     * count as none.
      * @note Collective, like the functions below.
      */
     Residual
     judge(const System::BlockSystem                          &system,
           const Contributions                                &contributions,
-          const std::vector<System::BlockSystem::Constraint> &constraints);
+          const std::vector<System::BlockSystem::Constraint> &constraints,
+          const double                                        negligible);
 
     /** Largest motion that is prescribed and not yet done [mm]. */
     double
