@@ -473,6 +473,15 @@ namespace Heddle
             largest = std::max({largest,
                                 (positions[i] + third * tangents[i]).norm(),
                                 (positions[i] - third * tangents[i]).norm()});
+
+          // Surfaces move with the vectors of the sections too.
+          if (space.n_blocks_per_node() == 3)
+            for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+              if (b % 3 > 0)
+                largest =
+                  std::max(largest,
+                           space.fiber(f).radius *
+                             increment[state.local_block(f) + b].norm());
         }
       const double allowed =
         (0.5 - stale_after) * parameters.search_distance * largest_radius;
