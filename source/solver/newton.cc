@@ -1,9 +1,7 @@
 #include <heddle/base/exceptions.h>
-#include <heddle/base/reduce.h>
 #include <heddle/solver/newton.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,9 +137,8 @@ namespace Heddle
             throw Stopped("stopped by " + stop.reason());
           prepare(state, contributions);
           assemble(state, contributions);
-          Residual residual = judge(
-            *block_system, contributions, constraints, round_off * stiffest);
-          const bool rough = std::any_of(
+          Residual   residual = judge(contributions);
+          const bool rough    = std::any_of(
             contributions.begin(),
             contributions.end(),
             [](const auto &contribution) { return contribution->is_rough(); });
@@ -152,10 +149,7 @@ namespace Heddle
               damping->reset(/*in_motion=*/true);
               prepare(state, contributions);
               assemble(state, contributions);
-              residual = judge(*block_system,
-                               contributions,
-                               constraints,
-                               round_off * stiffest);
+              residual = judge(contributions);
             }
           result.residual_ratio = residual.ratio;
           result.iterations     = iteration;
@@ -181,10 +175,7 @@ namespace Heddle
             {
               prepare(state, contributions);
               assemble(state, contributions);
-              residual              = judge(*block_system,
-                               contributions,
-                               constraints,
-                               round_off * stiffest);
+              residual              = judge(contributions);
               result.residual_ratio = residual.ratio;
               balanced              = is_balanced(residual);
               adapted_at            = iteration;
@@ -351,9 +342,16 @@ namespace Heddle
       begin(state);
       prepare(state, contributions);
       assemble(state, contributions);
-      return judge(
-               *block_system, contributions, constraints, round_off * stiffest)
-        .ratio;
+      return judge(contributions).ratio;
+    }
+
+
+
+    Residual
+    Newton::judge(const Contributions &contributions) const
+    {
+      return Solver::judge(
+        *block_system, contributions, constraints, round_off * stiffest);
     }
 
 

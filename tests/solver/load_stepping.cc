@@ -4,6 +4,24 @@
 
 #include "../tests.h"
 
+/** Newton iterations of each attempt; 0: it failed. */
+void
+attempt(Heddle::Solver::LoadStepping    &stepping,
+        const std::vector<unsigned int> &attempts)
+{
+  for (const unsigned int iterations : attempts)
+    {
+      deallog << stepping.reached() << " -> " << stepping.next();
+      if (iterations > 0)
+        stepping.accept(iterations);
+      else
+        deallog << " failed, shorter " << stepping.cut_back();
+      deallog << std::endl;
+    }
+}
+
+
+
 int
 main()
 {
@@ -15,16 +33,7 @@ main()
   plan.points        = {0.25};
   Heddle::Solver::LoadStepping stepping(plan);
 
-  // Newton iterations of each attempt; 0: it failed.
-  for (const unsigned int iterations : {5, 5, 20, 5, 0, 0, 5, 5, 5})
-    {
-      deallog << stepping.reached() << " -> " << stepping.next();
-      if (iterations > 0)
-        stepping.accept(iterations);
-      else
-        deallog << " failed, shorter " << stepping.cut_back();
-      deallog << std::endl;
-    }
+  attempt(stepping, {5, 5, 20, 5, 0, 0, 5, 5, 5});
   while (!stepping.finished())
     stepping.accept(5);
   deallog << "finished at " << stepping.reached() << std::endl;
@@ -32,16 +41,7 @@ main()
   // After a cut hard steps grow again, but less soon if they fail again.
   plan.points = {};
   Heddle::Solver::LoadStepping hard(plan);
-  for (const unsigned int iterations :
-       {20, 0, 20, 20, 20, 20, 0, 20, 20, 20, 20, 20, 20, 20})
-    {
-      deallog << hard.reached() << " -> " << hard.next();
-      if (iterations > 0)
-        hard.accept(iterations);
-      else
-        deallog << " failed, shorter " << hard.cut_back();
-      deallog << std::endl;
-    }
+  attempt(hard, {20, 0, 20, 20, 20, 20, 0, 20, 20, 20, 20, 20, 20, 20});
 
   Heddle::Solver::LoadStepping stubborn(plan);
   while (stubborn.cut_back())

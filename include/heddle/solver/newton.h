@@ -130,6 +130,9 @@ namespace Heddle
       bool
       adapt(System::State &state, const Contributions &contributions);
 
+      Residual
+      judge(const Contributions &contributions) const;
+
       bool
       is_balanced(const Residual &residual) const;
 
