@@ -1,0 +1,135 @@
+// The guess of the next equilibrium: nothing from one equilibrium, the line
+// through two, the parabola through three, and of sections the rotation about
+// their axis, with the lengths that they have. What is not a parabola is missed
+// by the third order of the step.
+#include <heddle/beam/element.h>
+#include <heddle/solver/predictor.h>
+#include <heddle/system/state.h>
+
+#include "../tests.h"
+
+#include <cmath>
+
+using Heddle::System::FiberSpace;
+using Heddle::System::State;
+
+/** How far the motion goes, and a section turns [rad], at load factor t. */
+struct Path
+{
+  double linear, square, cubic;
+
+  double
+  operator()(const double t) const
+  {
+    return linear * t + square * t * t + cubic * t * t * t;
+  }
+};
+
+
+
+/** Put the nodes, and the sections of lengths 0.9 and 1.1, where @p path is. */
+void
+place(State &state, const Path &path, const double load_factor)
+{
+  const double              way = path(load_factor);
+  const Tensor<1, 3>        direction({1., -2., 0.5});
+  std::vector<Tensor<1, 3>> blocks(state.n_local_blocks());
+  for (unsigned int b = 0; b < blocks.size(); b += 3)
+    {
+      const double angle = 0.1 * b + way;
+      blocks[b]          = (1. + b) * way * direction;
+      blocks[b + 1] = Tensor<1, 3>({0., 0.9 * cos(angle), 0.9 * sin(angle)});
+      blocks[b + 2] = Tensor<1, 3>({0., -1.1 * sin(angle), 1.1 * cos(angle)});
+    }
+  state.set(blocks);
+  state.load_factor = load_factor;
+}
+
+
+
+/**
+ * The largest error of the guess after equilibria at @p known load factors, of
+ * positions and of section vectors, for the load factor @p next.
+ */
+std::pair<double, double>
+miss(State                     &state,
+     const Path                &path,
+     const std::vector<double> &known,
+     const double               next)
+{
+  Heddle::Solver::Predictor predictor;
+  place(state, path, known.front());
+  predictor.begin(state);
+  for (unsigned int i = 1; i < known.size(); ++i)
+    {
+      place(state, path, known[i]);
+      predictor.add(state);
+    }
+  state.load_factor                      = next;
+  const Heddle::System::Increment motion = predictor.guess(state);
+  if (motion.empty())
+    {
+      deallog << "nothing is guessed" << std::endl;
+      return {0., 0.};
+    }
+  state.move(1., motion);
+  const std::vector<Tensor<1, 3>> guessed = state.current();
+  place(state, path, next);
+  std::pair<double, double> largest = {0., 0.};
+  for (unsigned int b = 0; b < guessed.size(); ++b)
+    {
+      double &error = b % 3 == 0 ? largest.first : largest.second;
+      error         = std::max(error, (guessed[b] - state.current()[b]).norm());
+    }
+  return largest;
+}
+
+
+
+void
+examine(const std::string &name, const std::pair<double, double> &error)
+{
+  const auto in_words = [](const double value) {
+    return value < 1e-12 ? std::string("none") : std::to_string(value);
+  };
+  deallog << name << ": error of positions " << in_words(error.first)
+          << ", of sections " << in_words(error.second) << std::endl;
+}
+
+
+
+int
+main(int argc, char **argv)
+{
+  MPITest                                 test(argc, argv);
+  Heddle::System::FiberSpace::Description fiber;
+  fiber.element_lengths.assign(2, 1.);
+  fiber.radius  = 1.;
+  fiber.section = Heddle::Beam::circular_section(fiber.radius,
+                                                 /*axial_modulus=*/1.,
+                                                 /*shear_modulus=*/0.5,
+                                                 /*poisson_ratio=*/0.);
+  const Heddle::System::FiberSpace space(
+    MPI_COMM_WORLD, Heddle::Beam::make_element("director", 1), {fiber});
+  State state(space);
+
+  miss(state, {1., 0., 0.}, {0.}, 0.1);
+  examine("a line, two equilibria", miss(state, {1., 0., 0.}, {0., 0.1}, 0.3));
+  examine("a parabola, steps that differ",
+          miss(state, {1., -2., 0.}, {0., 0.1, 0.15}, 0.3));
+  examine("the last three of four",
+          miss(state, {1., -2., 0.}, {-5., 0., 0.1, 0.15}, 0.3));
+  examine("a parabola, two equilibria",
+          miss(state, {1., -2., 0.}, {0., 0.1}, 0.15));
+
+  for (const double step : {0.1, 0.05, 0.025})
+    {
+      const Path   cubic = {2., 1., -0.5};
+      const auto   whole = miss(state, cubic, {0., step, 2. * step}, 3. * step);
+      const double half  = 0.5 * step;
+      const auto   finer = miss(state, cubic, {0., half, 2. * half}, 3. * half);
+      deallog << "a cubic, order with steps of " << step << ": positions "
+              << std::log2(whole.first / finer.first) << ", sections "
+              << std::log2(whole.second / finer.second) << std::endl;
+    }
+}
