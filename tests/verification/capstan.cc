@@ -144,7 +144,10 @@ main(int argc, char **argv)
     unsigned int per_turn; /**< elements */
     double       bound;
   };
-  for (const Case &one : std::vector<Case>{{0.25, 0.3, 20, 0.01},
+  for (const Case &one : std::vector<Case>{{0.25, 0.1, 20, 0.01},
+                                           {0.25, 0.1, 40, 0.005},
+                                           {0.25, 0.1, 80, 0.002},
+                                           {0.25, 0.3, 20, 0.01},
                                            {0.25, 0.3, 40, 0.005},
                                            {0.5, 0.1, 40, 0.005},
                                            {0.5, 0.3, 20, 0.01},
