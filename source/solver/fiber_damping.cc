@@ -9,7 +9,7 @@ namespace Heddle
     namespace
     {
       /** What a fiber moves in an iteration if all goes well, in radii. */
-      constexpr double wanted_motion = 0.3;
+      constexpr double wanted_motion = 0.6;
 
       /** Largest change of the damping in one iteration. */
       constexpr double largest_factor = 3.;

@@ -14,13 +14,26 @@ namespace Heddle
   {
     namespace
     {
-      /** An iteration that moves no fiber further, in radii, is calm, ... */
-      constexpr double calm_motion = 0.3;
+      /**
+       * An iteration is calm if it moves no fiber further than @p motion, in
+       * radii, and forces balance on average to @p mean_ratio. Rough terms then
+       * keep the part @p hardening of their softness.
+       */
+      struct Calm
+      {
+        double motion, mean_ratio, hardening;
+      };
 
-      /** ... if forces balance so well on average. */
-      constexpr double calm_ratio = 0.1;
+      constexpr Calm before_equilibrium = {0.3, 0.1, 0.5};
 
-      /** Rough terms are softened from this residual ratio on, ... */
+      /**
+       * Where friction is to begin there is no need to wait for the last
+       * fibers: it holds those that are still on their way. That saves a third
+       * of the iterations of the paper's fabrics.
+       */
+      constexpr Calm before_friction = {0.6, 0.6, 0.25};
+
+      /** Rough terms are softened from this mean residual ratio on, ... */
       constexpr double unsettled = 1.;
 
       /** ... and this is the least softness before none. */
@@ -128,6 +141,8 @@ namespace Heddle
       NewtonResult      result;
       System::Increment increment;
       unsigned int      adapted_at = 0;
+      const Calm       &calmness =
+        aim == Aim::calm ? before_friction : before_equilibrium;
 
       set_softness(contributions, 0.);
       damping->reset(/*in_motion=*/false);
@@ -143,7 +158,7 @@ namespace Heddle
             contributions.end(),
             [](const auto &contribution) { return contribution->is_rough(); });
           if (rough && iteration == 0 && !guessed &&
-              residual.ratio >= unsettled)
+              residual.mean_ratio >= unsettled)
             {
               set_softness(contributions, 1.);
               damping->reset(/*in_motion=*/true);
@@ -156,8 +171,8 @@ namespace Heddle
           report(iteration, residual, result, contributions);
 
           const bool calm = rough && iteration > 0 &&
-                            result.increment < calm_motion &&
-                            residual.mean_ratio < calm_ratio;
+                            result.increment < calmness.motion &&
+                            residual.mean_ratio < calmness.mean_ratio;
           if (aim == Aim::calm && softness == 0. && (calm || !rough))
             {
               result.converged = true;
@@ -207,9 +222,8 @@ namespace Heddle
           if (calm && softness > 0.)
             {
               adapt(state, contributions);
-              set_softness(contributions,
-                           softness > 2. * least_softness ? 0.5 * softness
-                                                          : 0.);
+              const double next = calmness.hardening * softness;
+              set_softness(contributions, next > least_softness ? next : 0.);
               prepare(state, contributions);
               assemble(state, contributions);
               adapted_at = iteration;
