@@ -1,5 +1,7 @@
 #include <heddle/solver/fiber_damping.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 
 namespace Heddle
@@ -16,6 +18,9 @@ namespace Heddle
 
       /** Damping grows by this factor where a step had to be cut to half. */
       constexpr double growth_after_cut = 2.;
+
+      /** ... and by this one where steps lead uphill. */
+      constexpr double growth_uphill = 10.;
 
       /** In between a fiber moves as if it was alone, or not at all. */
       constexpr double least = 1e-6, largest = 1e-2;
@@ -50,6 +55,21 @@ namespace Heddle
                     first == 0. ? 0.
                     : in_motion ? std::max(first, least)
                                 : least);
+    }
+
+
+
+    bool
+    FiberDamping::raise()
+    {
+      bool changed = false;
+      if (first > 0.)
+        for (double &value : values)
+          {
+            changed = changed || value < largest;
+            value   = std::min(growth_uphill * value, largest);
+          }
+      return Utilities::MPI::max(changed ? 1 : 0, space.communicator()) > 0;
     }
 
 

@@ -35,12 +35,7 @@ namespace Heddle
       , increment(increment)
       , start(state.current())
     {
-      std::vector<Tensor<1, 3>> unbalanced;
-      system.unbalanced(unbalanced);
-      for (unsigned int b = 0; b < unbalanced.size(); ++b)
-        first_slope += unbalanced[b] * increment[b];
-      first_slope =
-        Utilities::MPI::sum(first_slope, state.space.communicator());
+      first_slope = slope(system, increment);
 
       Vec image;
       petsc(VecDuplicate(system.solution(), &image));
@@ -52,6 +47,20 @@ namespace Heddle
       const std::array<double, 2> rough = rough_part();
       smooth_slope                      = first_slope - rough[0];
       smooth_curvature                  = curvature - damping - rough[1];
+    }
+
+
+
+    double
+    LineSearch::slope(const System::BlockSystem &system,
+                      const System::Increment   &increment)
+    {
+      std::vector<Tensor<1, 3>> unbalanced;
+      system.unbalanced(unbalanced);
+      double sum = 0.;
+      for (unsigned int b = 0; b < unbalanced.size(); ++b)
+        sum += unbalanced[b] * increment[b];
+      return Utilities::MPI::sum(sum, system.state.space.communicator());
     }
 
 

@@ -257,12 +257,20 @@ namespace Heddle
               return result;
             }
           // Prescribed motion does work: it may well raise the energy.
+          const bool search =
+            rough && residual.pending <= reached * length_scale;
+
+          // A tangent that is not positive definite may lead uphill, away from
+          // equilibrium: fibers are held back until it does not.
+          if (search && LineSearch::slope(*block_system, increment) > 0. &&
+              damping->raise())
+            {
+              result.increment = motion;
+              continue;
+            }
+
           const double taken =
-            step_length(state,
-                        contributions,
-                        increment,
-                        motion,
-                        rough && residual.pending <= reached * length_scale);
+            step_length(state, contributions, increment, motion, search);
           if (rough)
             damping->adapt(state, increment, taken, length_scale);
           for (Tensor<1, 3> &motion_of_block : increment)

@@ -52,6 +52,14 @@ namespace Heddle
             const double             taken,
             const double             radius);
 
+      /**
+       * The increment led uphill: hold all fibers back more, as far as that
+       * goes; return whether it does on any rank.
+       * @note Collective.
+       */
+      bool
+      raise();
+
     private:
       /**
        * Call @p action(block, lever) for the positions and section vectors of

@@ -37,6 +37,14 @@ namespace Heddle
                  const double               damping);
 
       /**
+       * Derivative of the energy along @p increment, as last assembled [N mm].
+       * @note Collective.
+       */
+      static double
+      slope(const System::BlockSystem &system,
+            const System::Increment   &increment);
+
+      /**
        * Part of the increment to be taken: about 1, less where the energy rises
        * before, more, up to @p longest, where it still falls steeply.
        */
