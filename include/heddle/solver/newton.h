@@ -60,7 +60,7 @@ namespace Heddle
      * Without rough terms (contact) it takes full steps, as mixed integration
      * points want it. With them fibers are damped one by one, and steps go to
      * where the energy stops falling. From a state that is far from equilibrium
-     * rough terms begin soft and harden by halves whenever the forces balance
+     * rough terms begin soft and harden in steps whenever the forces balance
      * on average: each of these problems is nearly solved by the one before.
      */
     class Newton
