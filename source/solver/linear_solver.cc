@@ -2,6 +2,7 @@
 #include <heddle/solver/linear_solver.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 namespace Heddle
 {
@@ -120,15 +121,40 @@ namespace Heddle
 
 
 
+    bool
+    LinearSolver::set_up_succeeds()
+    {
+      petsc(KSPSetUp(ksp));
+      PC             pc;
+      PCFailedReason reason;
+      petsc(KSPGetPC(ksp, &pc));
+      petsc(PCGetFailedReason(pc, &reason));
+      if (Utilities::MPI::max(reason == PC_NOERROR ? 0 : 1,
+                              system.state.space.communicator()) == 0)
+        return true;
+
+      // After a zero pivot PETSc's interface to MUMPS takes any further
+      // factorization for done: it has to begin with the analysis.
+      petsc(PCReset(pc));
+      return false;
+    }
+
+
+
     LinearResult
     LinearSolver::solve()
     {
       petsc(KSPSetOperators(ksp, system.tangent(), system.tangent()));
       if (fiber_blocks)
         fiber_blocks->set_up(system.tangent());
+      LinearResult result;
+      if (!set_up_succeeds())
+        {
+          result.singular = true;
+          return result;
+        }
       petsc(KSPSolve(ksp, system.right_hand_side(), system.solution()));
 
-      LinearResult       result;
       KSPConvergedReason reason;
       PetscInt           iterations;
       petsc(KSPGetConvergedReason(ksp, &reason));

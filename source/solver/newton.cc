@@ -238,19 +238,24 @@ namespace Heddle
               adapted_at = iteration;
             }
 
+          bool singular = false;
           {
             SectionTimer::Scope scope(timer, "linear solver");
             if (rough)
               damping->add_to(*block_system, state);
             block_system->end();
             const LinearResult linear = linear_solver->solve();
+            singular                  = linear.singular;
             result.linear_iterations += linear.iterations;
             result.factorizations += linear_solver->is_direct() ? 1 : 0;
             block_system->extract_increment(increment);
           }
 
+          // Chance makes a tangent that is not positive definite singular.
+          if (singular && rough && damping->raise())
+            continue;
           const double motion = largest_motion(state, increment);
-          if (!std::isfinite(motion))
+          if (singular || !std::isfinite(motion))
             {
               result.obstacle = "the linear system is singular: a fiber may be "
                                 "free to move without resistance";

@@ -41,6 +41,7 @@ namespace Heddle
     {
       unsigned int iterations = 0; /**< 0 for a factorization */
       bool         indefinite = false;
+      bool         singular   = false; /**< then there is no solution */
       bool         converged  = true;
     };
 
@@ -80,6 +81,10 @@ namespace Heddle
       solve();
 
     private:
+      /** Whether there is a factorization, if one is to be made. */
+      bool
+      set_up_succeeds();
+
       const LinearSolverParameters &parameters;
       const System::BlockSystem    &system;
       const bool                    direct;
