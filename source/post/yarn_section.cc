@@ -1,4 +1,4 @@
-#include <heddle/post/convex_hull.h>
+#include <heddle/base/convex_hull.h>
 #include <heddle/post/yarn_section.h>
 
 #include <deal.II/base/exceptions.h>
@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace Heddle
 {
@@ -14,43 +13,6 @@ namespace Heddle
   {
     namespace
     {
-      /** A fiber axis as it passes through a plane. */
-      struct Passage
-      {
-        bool         found = false;
-        Tensor<1, 3> point;
-        double       cosine = 1.; /**< between fiber and normal */
-      };
-
-
-
-      Passage
-      pass(const Polyline &fiber, const CuttingPlane &plane)
-      {
-        Passage passage;
-        double  nearest = std::numeric_limits<double>::max();
-        for (unsigned int s = 0; s + 1 < fiber.size(); ++s)
-          {
-            const double before = (fiber[s] - plane.point) * plane.normal;
-            const double after  = (fiber[s + 1] - plane.point) * plane.normal;
-            if (before * after > 0. || before == after)
-              continue;
-            const Tensor<1, 3> chord = fiber[s + 1] - fiber[s];
-            const Tensor<1, 3> point =
-              fiber[s] + before / (before - after) * chord;
-            if ((point - plane.point).norm() < nearest)
-              {
-                nearest        = (point - plane.point).norm();
-                passage.found  = true;
-                passage.point  = point;
-                passage.cosine = std::abs(chord * plane.normal) / chord.norm();
-              }
-          }
-        return passage;
-      }
-
-
-
       /** Extent and hull of circles about the points of @p section. */
       void
       measure(YarnSection &section, const std::vector<double> &radii)
@@ -102,7 +64,7 @@ namespace Heddle
       std::vector<double> radii_found;
       for (unsigned int f = 0; f < fibers.size(); ++f)
         {
-          const Passage passage = pass(fibers[f], plane);
+          const Passage passage = pass_through(fibers[f], plane);
           if (!passage.found)
             {
               ++section.n_missing;

@@ -77,20 +77,19 @@ namespace Heddle
              "volume_fraction[-],fibers_missing[-],crimp[-]\n";
       for (unsigned int y = 0; y < yarns.size(); ++y)
         {
-          const auto mean = Post::mean_line(yarns[y].lines, n_mean_points);
+          const auto mean = mean_line(yarns[y].lines, n_mean_points);
           for (unsigned int i = 0; i < n_stations; ++i)
             {
               const double fraction = station(i, n_stations);
               const auto   section  = Post::cut_yarn(
-                yarns[y].lines, yarns[y].radii, Post::plane_at(mean, fraction));
+                yarns[y].lines, yarns[y].radii, plane_at(mean, fraction));
               out << y << ',' << (yarns[y].set == "warp") << ',' << fraction;
               for (unsigned int d = 0; d < 3; ++d)
                 out << ',' << section.center[d];
               out << ',' << section.width << ',' << section.height << ','
                   << section.aspect_ratio() << ',' << section.hull_area << ','
                   << section.fiber_area << ',' << section.volume_fraction()
-                  << ',' << section.n_missing << ',' << Post::crimp(mean)
-                  << '\n';
+                  << ',' << section.n_missing << ',' << crimp(mean) << '\n';
             }
         }
       return out.str();
@@ -108,14 +107,12 @@ namespace Heddle
             std::count_if(yarns.begin(), yarns.end(), [&](const Yarn &other) {
               return other.set == yarn.set;
             });
-          const auto mean = Post::mean_line(yarn.lines, n_mean_points);
-          sums[yarn.set + "_crimp[-]"] += Post::crimp(mean) / n_alike;
+          const auto mean = mean_line(yarn.lines, n_mean_points);
+          sums[yarn.set + "_crimp[-]"] += crimp(mean) / n_alike;
           for (unsigned int i = 0; i < n_stations; ++i)
             {
-              const auto section =
-                Post::cut_yarn(yarn.lines,
-                               yarn.radii,
-                               Post::plane_at(mean, station(i, n_stations)));
+              const auto section = Post::cut_yarn(
+                yarn.lines, yarn.radii, plane_at(mean, station(i, n_stations)));
               const double part = 1. / (n_alike * n_stations);
               sums[yarn.set + "_aspect_ratio[-]"] +=
                 part * section.aspect_ratio();

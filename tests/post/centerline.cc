@@ -46,7 +46,7 @@ print(const std::string &element)
   std::copy(
     blocks.begin(), blocks.end(), state.fiber(space->owned_fibers().first));
 
-  for (const Post::Polyline &line : Post::gather_centerlines(state, 5))
+  for (const Polyline &line : Post::gather_centerlines(state, 5))
     {
       double off = 0., uneven = 0.;
       for (unsigned int i = 1; i < line.size(); ++i)

@@ -32,7 +32,7 @@ count(const std::string   &pattern,
   description.weft                   = description.warp;
   const Textile::Weave weave(description);
 
-  std::vector<Post::Polyline>            lines;
+  std::vector<Polyline>                  lines;
   std::vector<std::vector<unsigned int>> yarns(8);
   for (const auto &fiber : weave.paths(36))
     {
@@ -68,7 +68,7 @@ main()
   // The closer the yarns the steeper they cross.
   count("plain", Textile::Start::crimped, 27.);
 
-  const std::vector<Post::Polyline> three = {
+  const std::vector<Polyline> three = {
     {Tensor<1, 3>({-1., 0., 0.}), Tensor<1, 3>({1., 0., 0.})},
     {Tensor<1, 3>({0., -1., 1.}), Tensor<1, 3>({0., 1., -3.})},
     {Tensor<1, 3>({2., -1., 1.}), Tensor<1, 3>({2., 1., 1.})}};

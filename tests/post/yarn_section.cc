@@ -1,6 +1,6 @@
 // Sections of a straight yarn have the width, height and areas of its packing,
 // along x and along y, and a cosine has the crimp of the elliptic integral.
-#include <heddle/post/mean_line.h>
+#include <heddle/base/mean_line.h>
 #include <heddle/post/yarn_section.h>
 #include <heddle/textile/weave.h>
 
@@ -15,23 +15,23 @@ using namespace Heddle;
 void
 cut(const Textile::Weave &weave, const unsigned int yarn)
 {
-  std::vector<Post::Polyline> lines;
-  std::vector<double>         radii;
+  std::vector<Polyline> lines;
+  std::vector<double>   radii;
   for (const auto &fiber : weave.paths(20))
     if (fiber.yarn_id == yarn)
       {
         lines.push_back(fiber.points);
         radii.push_back(fiber.radius);
       }
-  const auto mean    = Post::mean_line(lines, 41);
-  const auto section = cut_yarn(lines, radii, Post::plane_at(mean, 0.3));
+  const auto mean    = mean_line(lines, 41);
+  const auto section = Post::cut_yarn(lines, radii, plane_at(mean, 0.3));
   deallog << "yarn " << yarn << ": " << section.points.size() << " fibers, "
           << section.n_missing << " missing, center " << section.center
           << ", width " << section.width << ", height " << section.height
           << ", aspect ratio " << section.aspect_ratio() << ", area over pi "
           << section.fiber_area / numbers::PI << ", hull " << section.hull_area
           << ", volume fraction " << section.volume_fraction() << ", 1 + crimp "
-          << 1. + Post::crimp(mean) << std::endl;
+          << 1. + crimp(mean) << std::endl;
 }
 
 
@@ -51,11 +51,11 @@ main()
   description.warp.packing.fibers_per_bundle = 1;
   cut(Textile::Weave(description), 0);
 
-  Post::Polyline cosine;
+  Polyline cosine;
   for (unsigned int k = 0; k <= 2000; ++k)
     {
       const double x = 4. * numbers::PI * k / 2000;
       cosine.push_back(Tensor<1, 3>({x, 0., std::cos(x)}));
     }
-  deallog << "1 + crimp of cos x: " << 1. + Post::crimp(cosine) << std::endl;
+  deallog << "1 + crimp of cos x: " << 1. + crimp(cosine) << std::endl;
 }

@@ -36,7 +36,7 @@ two_yarns(const std::string &pattern)
 
 
 /** Positions of the nodes of all fibers, on every rank. */
-std::vector<Post::Polyline>
+std::vector<Polyline>
 polylines(const System::State &state)
 {
   const System::FiberSpace &space = state.space;
@@ -48,7 +48,7 @@ polylines(const System::State &state)
           state.fiber(f)[i * space.n_blocks_per_node()][d];
   Utilities::MPI::sum(mine, space.communicator(), all);
 
-  std::vector<Post::Polyline> lines(space.n_fibers());
+  std::vector<Polyline> lines(space.n_fibers());
   for (unsigned int f = 0; f < space.n_fibers(); ++f)
     for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
       {
@@ -62,7 +62,7 @@ polylines(const System::State &state)
 
 /** Largest distance of two fibers of yarn 0 in the middle, over the radius. */
 double
-widest(const std::vector<Post::Polyline> &lines, const double radius)
+widest(const std::vector<Polyline> &lines, const double radius)
 {
   double largest = 0.;
   for (unsigned int a = 0; a < 3; ++a)

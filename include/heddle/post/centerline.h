@@ -1,7 +1,7 @@
 #ifndef heddle_post_centerline_h
 #define heddle_post_centerline_h
 
-#include <heddle/post/polyline.h>
+#include <heddle/base/polyline.h>
 #include <heddle/system/state.h>
 
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef heddle_post_crossing_order_h
 #define heddle_post_crossing_order_h
 
-#include <heddle/post/polyline.h>
+#include <heddle/base/polyline.h>
 
 #include <vector>
 

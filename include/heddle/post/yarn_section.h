@@ -1,8 +1,8 @@
 #ifndef heddle_post_yarn_section_h
 #define heddle_post_yarn_section_h
 
-#include <heddle/post/mean_line.h>
-#include <heddle/post/polyline.h>
+#include <heddle/base/mean_line.h>
+#include <heddle/base/polyline.h>
 
 #include <deal.II/base/point.h>
 

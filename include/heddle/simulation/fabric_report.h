@@ -41,19 +41,19 @@ namespace Heddle
     private:
       struct Yarn
       {
-        std::string                 set;
-        std::vector<unsigned int>   fibers;
-        std::vector<Post::Polyline> lines;
-        std::vector<double>         radii;
+        std::string               set;
+        std::vector<unsigned int> fibers;
+        std::vector<Polyline>     lines;
+        std::vector<double>       radii;
       };
 
       /** Extent of the fabric through its thickness [mm]. */
       double
       thickness() const;
 
-      const Textile::Weave       &weave;
-      std::vector<Post::Polyline> lines;
-      std::vector<Yarn>           yarns;
+      const Textile::Weave &weave;
+      std::vector<Polyline> lines;
+      std::vector<Yarn>     yarns;
     };
   } // namespace Simulation
 } // namespace Heddle

@@ -1,0 +1,112 @@
+#include <heddle/base/mean_line.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Heddle
+{
+  namespace
+  {
+    /** Lengths along @p line up to each of its points. */
+    std::vector<double>
+    lengths_along(const Polyline &line)
+    {
+      std::vector<double> lengths(1, 0.);
+      for (unsigned int i = 1; i < line.size(); ++i)
+        lengths.push_back(lengths.back() + (line[i] - line[i - 1]).norm());
+      return lengths;
+    }
+
+
+
+    /** Number of the segment of @p lengths in which @p length lies. */
+    unsigned int
+    segment_at(const std::vector<double> &lengths, const double length)
+    {
+      return std::clamp<std::ptrdiff_t>(
+        std::lower_bound(lengths.begin(), lengths.end(), length) -
+          lengths.begin() - 1,
+        0,
+        lengths.size() - 2);
+    }
+
+
+
+    Tensor<1, 3>
+    point_at(const Polyline            &line,
+             const std::vector<double> &lengths,
+             const double               length)
+    {
+      const unsigned int s = segment_at(lengths, length);
+      return line[s] + (length - lengths[s]) / (lengths[s + 1] - lengths[s]) *
+                         (line[s + 1] - line[s]);
+    }
+  } // namespace
+
+
+
+  Passage
+  pass_through(const Polyline &fiber, const CuttingPlane &plane)
+  {
+    Passage passage;
+    double  nearest = std::numeric_limits<double>::max();
+    for (unsigned int s = 0; s + 1 < fiber.size(); ++s)
+      {
+        const double before = (fiber[s] - plane.point) * plane.normal;
+        const double after  = (fiber[s + 1] - plane.point) * plane.normal;
+        if (before * after > 0. || before == after)
+          continue;
+        const Tensor<1, 3> chord = fiber[s + 1] - fiber[s];
+        const Tensor<1, 3> point = fiber[s] + before / (before - after) * chord;
+        if ((point - plane.point).norm() < nearest)
+          {
+            nearest        = (point - plane.point).norm();
+            passage.found  = true;
+            passage.point  = point;
+            passage.cosine = std::abs(chord * plane.normal) / chord.norm();
+          }
+      }
+    return passage;
+  }
+
+
+
+  Polyline
+  mean_line(const std::vector<Polyline> &fibers, const unsigned int n_points)
+  {
+    const double weight = 1. / fibers.size();
+    Polyline     mean(n_points);
+    for (const Polyline &fiber : fibers)
+      {
+        const std::vector<double> lengths = lengths_along(fiber);
+        for (unsigned int k = 0; k < n_points; ++k)
+          mean[k] +=
+            weight *
+            point_at(fiber, lengths, lengths.back() * k / (n_points - 1));
+      }
+    return mean;
+  }
+
+
+
+  CuttingPlane
+  plane_at(const Polyline &mean_line, const double fraction)
+  {
+    const std::vector<double> lengths = lengths_along(mean_line);
+    const double              length  = fraction * lengths.back();
+    const unsigned int        s       = segment_at(lengths, length);
+    const Tensor<1, 3>        chord   = mean_line[s + 1] - mean_line[s];
+    return {point_at(mean_line, lengths, length), chord / chord.norm()};
+  }
+
+
+
+  double
+  crimp(const Polyline &mean_line)
+  {
+    Tensor<1, 3> span = mean_line.back() - mean_line.front();
+    span[2]           = 0.;
+    return lengths_along(mean_line).back() / span.norm() - 1.;
+  }
+} // namespace Heddle
