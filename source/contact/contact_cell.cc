@@ -111,12 +111,13 @@ namespace Heddle
       {
       public:
         CellFiller(const IntermediateGeometry  &geometry,
+                   const double                 distance_at_contact,
                    const double                 skin,
                    const bool                   aligned,
                    std::vector<ContactElement> &elements)
           : geometry(geometry)
           , aligned(aligned)
-          , distance_at_contact(geometry.a.radius + geometry.b.radius)
+          , distance_at_contact(distance_at_contact)
           , reach(distance_at_contact + skin)
           , elements(elements)
         {
@@ -310,11 +311,12 @@ namespace Heddle
     place_in_cell(const IntermediateGeometry  &geometry,
                   const CellEnd               &begin,
                   const CellEnd               &end,
+                  const double                 distance_at_contact,
                   const double                 skin,
                   const bool                   aligned,
                   std::vector<ContactElement> &elements)
     {
-      CellFiller filler(geometry, skin, aligned, elements);
+      CellFiller filler(geometry, distance_at_contact, skin, aligned, elements);
       filler.fill(begin, end);
       return filler.deepest;
     }

@@ -125,6 +125,43 @@ namespace Heddle
 
 
 
+    void
+    ContactCells::forgive()
+    {
+      for (const ContactCell &cell : all_cells)
+        {
+          const double penetration = all_zones[cell.zone].penetration;
+          const double round_off   = 1e-13 * all_zones[cell.zone].radius;
+          if (penetration > 0.)
+            {
+              double &sum = forgiven_of[{cell.fiber_a, cell.fiber_b}];
+              sum = std::max(sum, cell.forgiven + penetration + round_off);
+            }
+        }
+      set_forgiven(forgiven_of);
+    }
+
+
+
+    void
+    ContactCells::set_forgiven(const ForgivenPenetrations &penetrations)
+    {
+      forgiven_of = penetrations;
+      for (ContactCell &cell : all_cells)
+        cell.forgiven = forgiven(cell);
+    }
+
+
+
+    double
+    ContactCells::forgiven(const ContactCell &cell) const
+    {
+      const auto found = forgiven_of.find({cell.fiber_a, cell.fiber_b});
+      return found == forgiven_of.end() ? 0. : found->second;
+    }
+
+
+
     IntermediateGeometry
     ContactCells::geometry(const CurveList   &curves,
                            const ContactCell &cell) const
@@ -208,6 +245,7 @@ namespace Heddle
       cell.fiber_b                       = zone.fiber_b;
       cell.orientation                   = zone.orientation;
       cell.zone                          = all_zones.size();
+      cell.forgiven                      = forgiven(cell);
       const IntermediateGeometry between = geometry(curves, cell);
       const Curve               &a = between.a, &b = between.b;
 
@@ -380,16 +418,18 @@ namespace Heddle
             continues ? end : cell_end(between, p.first, cell.q_begin);
           end = cell_end(between, p.second, cell.q_end);
 
-          Zone        &zone        = all_zones[cell.zone];
-          const auto   first       = elements.size();
-          const double penetration = place_in_cell(between,
-                                                   begin,
-                                                   end,
-                                                   skin * zone.radius,
-                                                   /*aligned=*/cell.level == 0,
-                                                   elements);
-          zone.penetration         = std::max(zone.penetration, penetration);
-          const NormalLaw law      = this->law(cell.zone, threshold, skin);
+          Zone        &zone  = all_zones[cell.zone];
+          const auto   first = elements.size();
+          const double penetration =
+            place_in_cell(between,
+                          begin,
+                          end,
+                          between.a.radius + between.b.radius - cell.forgiven,
+                          skin * zone.radius,
+                          /*aligned=*/cell.level == 0,
+                          elements);
+          zone.penetration    = std::max(zone.penetration, penetration);
+          const NormalLaw law = this->law(cell.zone, threshold, skin);
           for (auto k = first; k < elements.size(); ++k)
             {
               ContactElement &element = elements[k];
@@ -399,6 +439,7 @@ namespace Heddle
               element.cell            = c;
               element.orientation     = cell.orientation;
               element.penalty         = cell.penalty;
+              element.forgiven        = cell.forgiven;
               element.force =
                 element.weight *
                 law.pressure(cell.penalty, std::max(-element.gap, -law.skin));

@@ -85,6 +85,27 @@ namespace Heddle
 
 
     void
+    FiberContact::forgive_penetration(System::State &state)
+    {
+      begin_step(state);
+      softness = 0.;
+      update(state);
+
+      // Elements of crossings move as surfaces do, and may find a little more.
+      while (statistics.n_active > 0.)
+        {
+          cells.forgive();
+          update(state);
+        }
+      hardening = 0.;
+      cells.accept();
+      accepted_cells  = cells.cells();
+      accepted_active = 0.;
+    }
+
+
+
+    void
     FiberContact::begin_step(System::State &)
     {
       searched = false;

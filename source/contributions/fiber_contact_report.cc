@@ -92,7 +92,7 @@ namespace Heddle
 
 
     void
-    FiberContact::save(ArchiveWriter &archive) const
+    FiberContact::save(ArchiveWriter &archive, const System::State &) const
     {
       Records records;
       records.n_key_parts = 5;
@@ -110,6 +110,17 @@ namespace Heddle
                                   {cell.q_begin, cell.q_end, cell.penalty});
           }
       archive.write(name() + "/cells", records);
+
+      Records forgiven;
+      forgiven.n_key_parts = 2;
+      for (const auto &pair : cells.forgiven())
+        if (space.owns(pair.first.first))
+          {
+            forgiven.keys.insert(forgiven.keys.end(),
+                                 {pair.first.first, pair.first.second});
+            forgiven.values.push_back(pair.second);
+          }
+      archive.write(name() + "/forgiven penetrations", forgiven);
       archive.write_number(name() + "/hardening", hardening);
       archive.write_number(name() + "/active", accepted_active);
     }
@@ -117,7 +128,7 @@ namespace Heddle
 
 
     void
-    FiberContact::load(const ArchiveReader &archive)
+    FiberContact::load(const ArchiveReader &archive, const System::State &)
     {
       const Records records = archive.read_records(
         name() + "/cells", [this](const std::int64_t *key) {
@@ -137,9 +148,19 @@ namespace Heddle
           cell.penalty              = records.value(i)[2];
           saved.push_back(cell);
         }
-      hardening       = archive.read_number(name() + "/hardening");
-      accepted_active = archive.read_number(name() + "/active");
+      hardening              = archive.read_number(name() + "/hardening");
+      accepted_active        = archive.read_number(name() + "/active");
+      const Records forgiven = archive.read_records(
+        name() + "/forgiven penetrations", [this](const std::int64_t *key) {
+          return space.owns(key[0]) || space.owns(key[1]);
+        });
+      Contact::ContactCells::ForgivenPenetrations penetrations;
+      for (std::size_t i = 0; i < forgiven.size(); ++i)
+        penetrations[{static_cast<unsigned int>(forgiven.key(i)[0]),
+                      static_cast<unsigned int>(forgiven.key(i)[1])}] =
+          *forgiven.value(i);
       cells.set_cells(saved);
+      cells.set_forgiven(penetrations);
       accepted_cells = cells.cells();
       searched       = false;
     }

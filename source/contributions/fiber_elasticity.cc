@@ -62,6 +62,22 @@ namespace Heddle
 
 
     void
+    FiberElasticity::set_reference(const System::State &state)
+    {
+      for_each_element(
+        state,
+        [&](const unsigned int f, const unsigned int e, unsigned int first) {
+          space.element().strains(state.current().data() + first,
+                                  space.element_length(f, e),
+                                  reference.data() + offset(f, e));
+        });
+      reference_was_set = true;
+      predicted         = false;
+    }
+
+
+
+    void
     FiberElasticity::begin_step(System::State &)
     {
       predicted = false;
@@ -126,6 +142,49 @@ namespace Heddle
                                            stresses.data() + offset(f, e));
         });
       predicted = true;
+    }
+
+
+
+    std::pair<unsigned int, unsigned int>
+    FiberElasticity::count_elements() const
+    {
+      std::pair<unsigned int, unsigned int> count = {0, 0};
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        {
+          count.first += space.fiber(f).n_elements;
+          if (f < space.owned_fibers().first)
+            count.second += space.fiber(f).n_elements;
+        }
+      return count;
+    }
+
+
+
+    void
+    FiberElasticity::save(ArchiveWriter &archive, const System::State &) const
+    {
+      if (!reference_was_set)
+        return;
+      const auto count = count_elements();
+      archive.write(name() + "/reference strains",
+                    count.second,
+                    count.first,
+                    reference,
+                    space.element().n_strains());
+    }
+
+
+
+    void
+    FiberElasticity::load(const ArchiveReader &archive, const System::State &)
+    {
+      reference_was_set = archive.has(name() + "/reference strains");
+      if (reference_was_set)
+        reference = archive.read(name() + "/reference strains",
+                                 count_elements().second,
+                                 reference.size() / space.element().n_strains(),
+                                 space.element().n_strains());
     }
 
 

@@ -84,7 +84,7 @@ namespace Heddle
     {
       // Where nothing touched within this motion a gap closed since then, at a
       // steady rate: in this part of the step.
-      const double gap = motion.gap_before;
+      const double gap = motion.gap_before + touching.forgiven;
       if (gap <= 0. || memory.touched(touching, motion.displacement.norm()))
         return 1.;
       return touching.gap < 0. ? touching.gap / (touching.gap - gap) : 0.;
@@ -267,7 +267,17 @@ namespace Heddle
 
 
     void
-    FiberFriction::save(ArchiveWriter &archive) const
+    FiberFriction::forget()
+    {
+      std::vector<Contact::FrictionMemory::Record> none;
+      memory.set(none);
+      stored = dissipated = 0.;
+    }
+
+
+
+    void
+    FiberFriction::save(ArchiveWriter &archive, const System::State &) const
     {
       memory.save(archive, name() + "/displacements", [this](unsigned int f) {
         return space.owns(f);
@@ -279,7 +289,7 @@ namespace Heddle
 
 
     void
-    FiberFriction::load(const ArchiveReader &archive)
+    FiberFriction::load(const ArchiveReader &archive, const System::State &)
     {
       memory.load(archive, name() + "/displacements", [this](unsigned int f) {
         return space.owns(f);

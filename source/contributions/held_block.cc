@@ -72,12 +72,17 @@ namespace Heddle
           unsigned int other = HeldBlock::nobody;
           for (const unsigned int support : held.holder)
             other = std::min(other, support);
+          const std::string what =
+            held.is_in_matrix()
+              ? "an edge of the matrix"
+              : std::string(held.kind == HeldBlock::Kind::position
+                              ? "the position"
+                              : "the section") +
+                  " of node " + std::to_string(node) + " of fiber " +
+                  std::to_string(held.fiber);
           throw InputError(
             section_in_words(*supports[holder]) + " and " +
-            section_in_words(*supports[other]) + " hold the " +
-            (held.kind == HeldBlock::Kind::position ? "position" : "section") +
-            " of node " + std::to_string(node) + " of fiber " +
-            std::to_string(held.fiber) +
+            section_in_words(*supports[other]) + " hold " + what +
             " in different ways; leave it free in one of them, or choose "
             "other nodes.");
         }
@@ -121,14 +126,50 @@ namespace Heddle
         for (const std::string &component : support.held_tangent)
           hold(1, HeldBlock::Kind::tangent, component[0] - 'x');
       }
+
+
+
+      /** Let @p collector know what support @p number holds of the matrix. */
+      void
+      hold_sides(const SupportParameters   &support,
+                 const unsigned int         number,
+                 const System::MatrixSpace &matrix,
+                 Collector                 &collector)
+      {
+        for (const unsigned int side : support.sides())
+          for (const unsigned int node : matrix.nodes_on_side(side))
+            for (unsigned int d = 0; d < 3; ++d)
+              if (support.displacement[d] != "free")
+                {
+                  HeldBlock held;
+                  held.fiber     = HeldBlock::nobody;
+                  held.block     = node;
+                  held.kind      = HeldBlock::Kind::position;
+                  held.position  = matrix.reference(node);
+                  held.reference = held.position;
+                  collector.hold(held, node, d, number);
+                }
+      }
     } // namespace
+
+
+
+    unsigned int
+    HeldBlock::local_block(const System::State &state) const
+    {
+      if (is_in_matrix())
+        return state.has_matrix_node(block) ? state.matrix_block(block)
+                                            : nobody;
+      return state.has(fiber) ? state.local_block(fiber) + block : nobody;
+    }
 
 
 
     std::vector<HeldBlock>
     find_held_blocks(const System::FiberSpace        &space,
                      const std::vector<Tensor<1, 3>> &reference,
-                     const SupportList               &supports)
+                     const SupportList               &supports,
+                     const System::MatrixSpace       *matrix)
     {
       Collector collector(supports);
       for (unsigned int i = 0; i < supports.size(); ++i)
@@ -142,6 +183,8 @@ namespace Heddle
           for (const SelectedNode &node : support.nodes.find_nodes(
                  space, reference, section_in_words(support)))
             hold_node(support, i, node, space.n_blocks_per_node(), collector);
+          if (matrix)
+            hold_sides(support, i, *matrix, collector);
         }
       return collector.list();
     }

@@ -1,5 +1,6 @@
 #include <heddle/beam/end_moment.h>
 #include <heddle/contributions/loads.h>
+#include <heddle/system/block_archive.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -44,7 +45,6 @@ namespace Heddle
       , loads(loads)
       , n_vectors(space.n_blocks_per_node() - 1)
       , totals(loads.size())
-      , work(space)
     {
       for (const auto &load : loads)
         {
@@ -335,31 +335,19 @@ namespace Heddle
 
 
     void
-    Loads::save(ArchiveWriter &archive) const
+    Loads::save(ArchiveWriter &archive, const System::State &state) const
     {
-      std::vector<double> values;
-      for (const Tensor<1, 3> &block : reference)
-        values.insert(values.end(), block.begin_raw(), block.end_raw());
-      archive.write(name() + "/reference",
-                    space.owned_blocks().first,
-                    space.n_blocks(),
-                    values,
-                    3);
-      work.save(archive, name());
+      System::write_blocks(archive, name() + "/reference", state, reference);
+      work.save(archive, name(), state);
     }
 
 
 
     void
-    Loads::load(const ArchiveReader &archive)
+    Loads::load(const ArchiveReader &archive, const System::State &state)
     {
-      const std::vector<double> values = archive.read(
-        name() + "/reference", space.owned_blocks().first, reference.size(), 3);
-      std::vector<Tensor<1, 3>> blocks(reference.size());
-      for (unsigned int k = 0; k < values.size(); ++k)
-        blocks[k / 3][k % 3] = values[k];
-      place(blocks);
-      work.load(archive, name());
+      place(System::read_blocks(archive, name() + "/reference", state));
+      work.load(archive, name(), state);
     }
   } // namespace Contributions
 } // namespace Heddle

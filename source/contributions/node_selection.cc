@@ -43,7 +43,8 @@ namespace Heddle
     {
       owner.add_parameter("Fibers",
                           fibers,
-                          "'all', or a list of names of sets ('warp', or those "
+                          "'all', 'none', or a list of names of sets ('warp', "
+                          "or those "
                           "of the file of centerlines) and of numbers of "
                           "fibers, from 0, in the order of the file.");
       owner.add_parameter(
@@ -72,6 +73,8 @@ namespace Heddle
                                const std::string        &where) const
     {
       std::set<unsigned int> found;
+      if (fibers == "none")
+        return {};
       for (const std::string &word : Utilities::split_string_list(fibers))
         {
           const auto n_before = found.size();
@@ -135,7 +138,7 @@ namespace Heddle
            Utilities::MPI::all_gather(space.communicator(), owned))
         all.insert(all.end(), part.begin(), part.end());
       nearest = Utilities::MPI::min(nearest, space.communicator());
-      if (all.empty())
+      if (all.empty() && fibers != "none")
         {
           std::ostringstream sentence;
           sentence << where << ": no node lies within " << distance

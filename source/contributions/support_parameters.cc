@@ -12,6 +12,13 @@ namespace Heddle
       : ParameterAcceptor(section_name)
     {
       nodes.add_parameters(*this);
+      add_parameter(
+        "Matrix sides",
+        matrix_sides,
+        "Sides of the matrix that move as 'Displacement' says, as "
+        "in 'x-, x+'. Inactive without a matrix [-].",
+        prm,
+        Patterns::List(Patterns::Selection("x-|x+|y-|y+|z-|z+"), 0, 6));
       for (unsigned int d = 0; d < 3; ++d)
         add_parameter(std::string("Displacement ") + "xyz"[d],
                       displacement[d],
@@ -63,6 +70,10 @@ namespace Heddle
               entry("Held tangent components") +
                 " needs a free section, but \"Section\" is \"" + section +
                 "\".");
+      require(nodes.fibers != "none" || !matrix_sides.empty(),
+              entry("Fibers") +
+                " is \"none\", and \"Matrix sides\" is empty: this support "
+                "holds nothing; name fibers or sides.");
       const bool all_free = std::all_of(
         displacement.begin(),
         displacement.end(),
@@ -71,6 +82,17 @@ namespace Heddle
               section_in_words(*this) +
                 ": this support holds nothing; give a displacement, set the "
                 "section to \"held\" or \"turned\", or leave the support out.");
+    }
+
+
+
+    std::vector<unsigned int>
+    SupportParameters::sides() const
+    {
+      std::vector<unsigned int> numbers;
+      for (const std::string &side : matrix_sides)
+        numbers.push_back(2 * (side[0] - 'x') + (side[1] == '+' ? 1 : 0));
+      return numbers;
     }
 
 

@@ -1,4 +1,5 @@
 #include <heddle/contributions/supports.h>
+#include <heddle/system/block_archive.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/physics/transformations.h>
@@ -38,9 +39,9 @@ namespace Heddle
                        const SupportList               &supports)
       : space(space)
       , supports(supports)
-      , blocks(find_held_blocks(space, reference, supports))
+      , reference(reference)
+      , blocks(find_held_blocks(space, reference, supports, nullptr))
       , reactions(supports.size())
-      , work(space)
     {
       for (const auto &support : supports)
         {
@@ -65,7 +66,9 @@ namespace Heddle
     void
     Supports::begin_stage(const System::State &state)
     {
-      blocks = find_held_blocks(space, state.current(), supports);
+      reference.assign(state.current().begin(),
+                       state.current().begin() + state.n_owned_blocks());
+      blocks = find_held_blocks(space, reference, supports, state.matrix());
     }
 
 
@@ -101,11 +104,11 @@ namespace Heddle
       std::vector<System::BlockSystem::Constraint> &constraints) const
     {
       for (const HeldBlock &held : blocks)
-        if (state.has(held.fiber))
+        if (held.local_block(state) != HeldBlock::nobody)
           {
             System::BlockSystem::Constraint constraint = {};
-            constraint.block = state.local_block(held.fiber) + held.block;
-            constraint.frame = unit_symmetric_tensor<3>();
+            constraint.block        = held.local_block(state);
+            constraint.frame        = unit_symmetric_tensor<3>();
             const Tensor<1, 3> goal = target(held, state.load_factor);
             Tensor<1, 3> motion     = goal - state.current()[constraint.block];
             if (held.kind == HeldBlock::Kind::direction)
@@ -128,21 +131,20 @@ namespace Heddle
     void
     Supports::observe(const System::BlockSystem &system)
     {
-      std::vector<double>       sums(6 * reactions.size(), 0.);
+      std::vector<double>       sums(9 * reactions.size(), 0.);
       std::vector<Tensor<1, 3>> forces(system.state.n_owned_blocks());
       for (const HeldBlock &held : blocks)
-        if (space.owns(held.fiber))
+        if (held.local_block(system.state) < forces.size())
           {
-            const unsigned int block =
-              system.state.local_block(held.fiber) + held.block;
-            forces[block] = system.residual()[block];
+            const unsigned int block = held.local_block(system.state);
+            forces[block]            = system.residual()[block];
 
             // What is conjugate to a section vector or a tangent g is a moment
             // over its length: g x f. It adds to that of the forces.
             for (unsigned int d = 0; d < 3; ++d)
               if (held.holder[d] != HeldBlock::nobody)
                 {
-                  double      *sum = sums.data() + 6 * held.holder[d];
+                  double      *sum = sums.data() + 9 * held.holder[d];
                   Tensor<1, 3> force;
                   force[d] = forces[block][d];
                   if (held.kind == HeldBlock::Kind::position)
@@ -151,6 +153,8 @@ namespace Heddle
                     cross_product_3d(system.state.current()[block], force);
                   for (unsigned int e = 0; e < 3; ++e)
                     sum[3 + e] += moment[e];
+                  if (held.is_in_matrix())
+                    sum[6 + d] += force[d];
                 }
           }
       work.set_forces(forces);
@@ -158,8 +162,9 @@ namespace Heddle
       for (unsigned int i = 0; i < reactions.size(); ++i)
         for (unsigned int d = 0; d < 3; ++d)
           {
-            reactions[i].force[d]  = sums[6 * i + d];
-            reactions[i].moment[d] = sums[6 * i + 3 + d];
+            reactions[i].force[d]     = sums[9 * i + d];
+            reactions[i].moment[d]    = sums[9 * i + 3 + d];
+            reactions[i].of_matrix[d] = sums[9 * i + 6 + d];
           }
     }
 
@@ -177,6 +182,9 @@ namespace Heddle
               reactions[i].force[d];
             values[begin + "_moment_" + "xyz"[d] + "[N*mm]"] =
               reactions[i].moment[d];
+            if (!supports[i]->matrix_sides.empty())
+              values[begin + "_matrix_force_" + "xyz"[d] + "[N]"] =
+                reactions[i].of_matrix[d];
           }
       values["external_work[N*mm]"] += work.value();
     }
@@ -192,39 +200,20 @@ namespace Heddle
 
 
     void
-    Supports::save(ArchiveWriter &archive) const
+    Supports::save(ArchiveWriter &archive, const System::State &state) const
     {
-      Records rows;
-      rows.n_key_parts = 2;
-      rows.n_values    = 6;
-      for (const HeldBlock &held : blocks)
-        if (space.owns(held.fiber))
-          {
-            rows.keys.insert(rows.keys.end(), {held.fiber, held.block});
-            for (const Tensor<1, 3> &place : {held.position, held.reference})
-              rows.values.insert(
-                rows.values.end(), place.begin_raw(), place.end_raw());
-          }
-      archive.write(name() + "/references", rows);
-      work.save(archive, name());
+      System::write_blocks(archive, name() + "/reference", state, reference);
+      work.save(archive, name(), state);
     }
 
 
 
     void
-    Supports::load(const ArchiveReader &archive)
+    Supports::load(const ArchiveReader &archive, const System::State &state)
     {
-      const Records rows = archive.read_records(
-        name() + "/references", [](const std::int64_t *) { return true; });
-      AssertThrow(rows.size() == blocks.size(),
-                  ExcMessage("The checkpoint is of other supports."));
-      for (unsigned int i = 0; i < blocks.size(); ++i)
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            blocks[i].position[d]  = rows.value(i)[d];
-            blocks[i].reference[d] = rows.value(i)[3 + d];
-          }
-      work.load(archive, name());
+      reference = System::read_blocks(archive, name() + "/reference", state);
+      blocks    = find_held_blocks(space, reference, supports, state.matrix());
+      work.load(archive, name(), state);
     }
   } // namespace Contributions
 } // namespace Heddle

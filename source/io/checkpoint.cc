@@ -2,6 +2,7 @@
 #include <heddle/base/file.h>
 #include <heddle/io/checkpoint.h>
 #include <heddle/io/hdf5_archive.h>
+#include <heddle/system/block_archive.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -74,16 +75,19 @@ namespace Heddle
     void
     Checkpoint::write(const Position      &position,
                       const System::State &state,
-                      const Save          &save) const
+                      const Save          &save,
+                      const std::string   &other_path) const
     {
       const MPI_Comm communicator = space.communicator();
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         create_folder(folder);
       MPI_Barrier(communicator);
 
-      const std::string path = folder + "/step-" +
-                               Utilities::int_to_string(position.number, 5) +
-                               ".h5";
+      const std::string path =
+        other_path.empty()
+          ? folder + "/step-" + Utilities::int_to_string(position.number, 5) +
+              ".h5"
+          : other_path;
       Hdf5Writer archive(path, communicator);
       write_scene(archive);
       archive.write_text("position/stage", position.stage);
@@ -93,20 +97,11 @@ namespace Heddle
       archive.write_number("position/step", state.step);
       archive.write_number("position/load_factor", state.load_factor);
 
-      std::vector<double> values;
-      values.reserve(3 * state.n_owned_blocks());
-      for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)
-        for (unsigned int d = 0; d < 3; ++d)
-          values.push_back(state.current()[b][d]);
-      archive.write("fibers/blocks",
-                    space.owned_blocks().first,
-                    space.n_blocks(),
-                    values,
-                    3);
-
+      System::write_blocks(archive, "fibers/blocks", state, state.current());
       save(archive);
       archive.commit();
-      tidy_up(path);
+      if (other_path.empty())
+        tidy_up(path);
     }
 
 
@@ -206,7 +201,8 @@ namespace Heddle
     Checkpoint::Position
     Checkpoint::read(const std::string &path,
                      System::State     &state,
-                     const Load        &load) const
+                     const Load        &load,
+                     const Load        &prepare) const
     {
       const Hdf5Reader archive(path, space.communicator());
       check_scene(archive, path);
@@ -219,14 +215,10 @@ namespace Heddle
       state.step          = archive.read_number("position/step");
       state.load_factor   = archive.read_number("position/load_factor");
 
-      const auto owned  = space.owned_fibers();
-      const auto values = archive.read(
-        "fibers/blocks", space.owned_blocks().first, state.n_owned_blocks(), 3);
-      auto value = values.begin();
-      for (unsigned int f = owned.first; f < owned.second; ++f)
-        for (unsigned int b = 0; b < space.n_blocks(f); ++b)
-          for (unsigned int d = 0; d < 3; ++d)
-            state.fiber(f)[b][d] = *value++;
+      prepare(archive);
+      auto blocks = System::read_blocks(archive, "fibers/blocks", state);
+      blocks.resize(state.n_local_blocks());
+      state.set(blocks);
       state.update_ghosts();
       state.accept();
 

@@ -7,13 +7,14 @@ namespace Heddle
     OutputParameters::OutputParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter("Interval",
-                    interval,
-                    "Write fibers and contacts every so many load steps, and "
-                    "after the last step of each stage; 0: never, and nothing "
-                    "is computed for it [steps].",
-                    prm,
-                    Patterns::Integer(0));
+      add_parameter(
+        "Interval",
+        interval,
+        "Write fibers, contacts and matrix every so many load steps, and "
+        "after the last step of each stage; 0: never, and nothing "
+        "is computed for it [steps].",
+        prm,
+        Patterns::Integer(0));
       add_parameter("Fibers",
                     fibers,
                     "Whether to write the fibers, with their strains and "
@@ -28,6 +29,12 @@ namespace Heddle
                     contacts,
                     "Whether to write the contact elements, with gap, normal "
                     "and force, as points (contacts.pvd) [-].");
+      add_parameter("Matrix",
+                    matrix,
+                    "Whether to write the matrix, with displacement, strain "
+                    "and stress (matrix.pvd), and its links to the fibers, "
+                    "with their forces, as points (coupling.pvd). Inactive "
+                    "without a matrix [-].");
       add_parameter("Checkpoint interval",
                     checkpoint_interval,
                     "Save the state, for --resume, every so many load steps, "

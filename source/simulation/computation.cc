@@ -1,5 +1,6 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/simulation/computation.h>
+#include <heddle/simulation/matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,16 @@ namespace Heddle
     {
       using Status = IO::Summary::Status;
       if (from_checkpoint)
-        place = recorder.resume(stepping);
+        {
+          place = recorder.resume(stepping);
+          // Only a search tells whether fibers are near each other.
+          for (const auto &contribution :
+               scene.stages()[place.stage].contributions)
+            contribution->update(scene.state());
+        }
+      else if (!parameters.restart.initial_configuration.empty())
+        recorder.read_initial_configuration(
+          parameters.restart.initial_configuration);
       recorder.begin(place);
       try
         {
@@ -100,6 +110,9 @@ namespace Heddle
       System::State &state = scene.state();
       state.step           = 0;
       state.load_factor    = 0.;
+      stage.begin();
+      if (stage.is_loaded && scene.matrix())
+        log << scene.matrix()->in_words() << std::endl;
       for (const auto &contribution : stage.contributions)
         contribution->begin_stage(state);
       if (!stage.is_loaded)

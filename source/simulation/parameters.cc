@@ -35,6 +35,25 @@ namespace Heddle
                           "\"weave\": remove one of them."
                         : ": Centerlines/File is empty; name the file of the "
                           "centerlines."));
+      require(weaves || restart.initial_configuration.empty(),
+              file.name() +
+                ": Restart/Initial configuration is given, but Run/Scene is "
+                "\"centerlines\": only a weave has an initial configuration.");
+      require(!supports.empty() || restart.initial_configuration.empty(),
+              file.name() +
+                ": Restart/Initial configuration is given, but nothing holds "
+                "the fibers, so there is nothing to compute; declare a section "
+                "\"Supports/Support 1\".");
+      require(!supports.empty() || !matrix.enabled,
+              file.name() +
+                ": Matrix/Enabled is true, but nothing holds fibers or matrix, "
+                "so there is nothing to compute in it; declare a section "
+                "\"Supports/Support 1\".");
+      for (const auto &support : supports)
+        require(matrix.enabled || support->matrix_sides.empty(),
+                support->entry("Matrix sides") +
+                  " names sides, but Matrix/Enabled is false: leave them out, "
+                  "or enable the matrix.");
       require(!supports.empty() || (weaves && loads.empty()),
               file.name() + ": nothing holds the fibers; declare a section "
                             "\"Supports/Support 1\".");

@@ -1,12 +1,12 @@
 #include <heddle/base/file.h>
 #include <heddle/base/version.h>
 #include <heddle/simulation/fabric_report.h>
+#include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <limits>
-#include <set>
 #include <sstream>
 
 namespace Heddle
@@ -27,25 +27,11 @@ namespace Heddle
 
 
 
-      std::map<std::string, double>
-      report_of(const Scene &scene, const System::State &state)
-      {
-        std::map<std::string, double>          values;
-        std::set<const System::Contribution *> reported;
-        for (const Stage &stage : scene.stages())
-          for (const auto &contribution : stage.contributions)
-            if (reported.insert(contribution.get()).second)
-              contribution->report(state, values);
-        return values;
-      }
-
-
-
       std::vector<IO::History::Column>
       columns_of(Scene &scene)
       {
         std::vector<IO::History::Column> columns;
-        for (const auto &value : report_of(scene, scene.state()))
+        for (const auto &value : scene.report())
           columns.push_back(split(value.first));
         return columns;
       }
@@ -95,14 +81,6 @@ namespace Heddle
 
 
 
-    std::map<std::string, double>
-    Recorder::report() const
-    {
-      return report_of(scene, scene.state());
-    }
-
-
-
     void
     Recorder::begin(const Place &place)
     {
@@ -119,6 +97,10 @@ namespace Heddle
           scene.contact())
         contacts = std::make_unique<IO::ContactOutput>(
           scene.space(), directory, resume_at);
+      if (parameters.output.interval > 0 && parameters.output.matrix &&
+          parameters.matrix.enabled)
+        matrix = std::make_unique<IO::MatrixOutput>(
+          directory, scene.space().communicator(), resume_at);
       if (place.number == 0)
         write_pictures(place, "start");
       write_summary();
@@ -129,6 +111,7 @@ namespace Heddle
     void
     Recorder::begin_stage(const unsigned int stage)
     {
+      summary.n_dofs   = scene.state().n_dofs();
       const double nan = std::numeric_limits<double>::quiet_NaN();
       if (stage == summary.stages.size())
         {
@@ -176,6 +159,8 @@ namespace Heddle
         summary.stages[place.stage].status = "converged";
       if (parameters.output.checkpoint_due(step, last))
         write_checkpoint(place);
+      if (last && scene.ends_initially(place.stage))
+        write_checkpoint(place, directory + "/" + initial_configuration);
       write_summary();
     }
 
@@ -187,7 +172,7 @@ namespace Heddle
       IO::StageSummary &stage = summary.stages[place.stage];
       ++stage.steps;
       stage.residual_ratio = result.residual_ratio;
-      auto values          = report();
+      auto values          = scene.report();
       if (scene.contact())
         {
           stage.contact_elements        = values["contact_elements[-]"];
@@ -256,6 +241,33 @@ namespace Heddle
                         place.number,
                         time,
                         group);
+      if (matrix && scene.matrix())
+        write_matrix(place, time, group);
+    }
+
+
+
+    void
+    Recorder::write_matrix(const Place       &place,
+                           const double       time,
+                           const std::string &group)
+    {
+      const auto means = [this](const unsigned int c) {
+        IO::CellMeans means;
+        const auto    points =
+          scene.matrix()->elasticity()->evaluate(scene.state(), c);
+        for (const Solid::PointState &point : points)
+          {
+            means.strain += point.strain / points.size();
+            means.stress += point.stress / points.size();
+          }
+        means.von_mises = Solid::von_mises(means.stress);
+        return means;
+      };
+      std::vector<IO::LinkPoint> links;
+      for (const auto &link : scene.matrix()->coupling()->points(scene.state()))
+        links.push_back({link.fiber, link.position, link.force, link.length});
+      matrix->write(scene.state(), means, links, place.number, time, group);
     }
 
 

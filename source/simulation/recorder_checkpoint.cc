@@ -1,5 +1,8 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
+
+#include <filesystem>
 
 namespace Heddle
 {
@@ -51,24 +54,27 @@ namespace Heddle
       const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping)
     {
       Place                     place;
-      const std::string         path   = IO::Checkpoint::last(directory);
-      const std::vector<Stage> &stages = scene.stages();
-      const auto                position =
-        checkpoint.read(path, scene.state(), [&](const ArchiveReader &archive) {
-          const std::string name = archive.read_text("position/stage");
-          while (place.stage < stages.size() &&
-                 stages[place.stage].name != name)
-            ++place.stage;
-          require(place.stage < stages.size(),
-                  "The checkpoint \"" + path + "\" belongs to a stage \"" +
-                    name + "\", which this scene does not have.");
-          place.stepping = stepping[place.stage].get();
-          stepping[place.stage]->load(archive);
-          place.predictor.load(archive, scene.space());
-          for (const auto &contribution : stages[place.stage].contributions)
-            contribution->load(archive);
-          load_summary(archive);
-        });
+      const std::string         path    = IO::Checkpoint::last(directory);
+      const std::vector<Stage> &stages  = scene.stages();
+      const auto                prepare = [this](const ArchiveReader &archive) {
+        if (Matrix::is_in(archive))
+          scene.embed_as(archive);
+      };
+      const auto load = [&](const ArchiveReader &archive) {
+        const std::string name = archive.read_text("position/stage");
+        while (place.stage < stages.size() && stages[place.stage].name != name)
+          ++place.stage;
+        require(place.stage < stages.size(),
+                "The checkpoint \"" + path + "\" belongs to a stage \"" + name +
+                  "\", which this scene does not have.");
+        place.stepping = stepping[place.stage].get();
+        stepping[place.stage]->load(archive);
+        place.predictor.load(archive, scene.state());
+        for (const auto &contribution : stages[place.stage].contributions)
+          contribution->load(archive, scene.state());
+        load_summary(archive);
+      };
+      const auto position = checkpoint.read(path, scene.state(), load, prepare);
       history.resume(position.history);
       place.number = position.number;
       return place;
@@ -77,12 +83,34 @@ namespace Heddle
 
 
     void
+    Recorder::read_initial_configuration(const std::string &path)
+    {
+      const std::string file = std::filesystem::is_directory(path)
+                                 ? path + "/" + initial_configuration
+                                 : path;
+      require(std::filesystem::exists(file),
+              "Restart/Initial configuration: there is no file \"" + file +
+                "\"; name the folder of a run that has computed one.");
+      checkpoint.read(
+        file, scene.state(), [this](const ArchiveReader &archive) {
+          for (const Stage &stage : scene.stages())
+            if (stage.is_loaded)
+              for (const auto &contribution : stage.contributions)
+                contribution->load_initial(archive, scene.state());
+        });
+    }
+
+
+
+    void
     Recorder::save(ArchiveWriter &archive, const Place &place) const
     {
+      if (scene.matrix())
+        scene.matrix()->save(archive, scene.state());
       place.stepping->save(archive);
-      place.predictor.save(archive, scene.space());
+      place.predictor.save(archive, scene.state());
       for (const auto &contribution : scene.stages()[place.stage].contributions)
-        contribution->save(archive);
+        contribution->save(archive, scene.state());
       archive.write_number("summary/n_stages", summary.stages.size());
       auto stages = summary.stages;
       for (unsigned int i = 0; i < stages.size(); ++i)
@@ -116,15 +144,17 @@ namespace Heddle
 
 
     void
-    Recorder::write_checkpoint(const Place &place)
+    Recorder::write_checkpoint(const Place &place, const std::string &path)
     {
       update_times();
-      checkpoint.write({scene.stages()[place.stage].name,
-                        place.number,
-                        file.text(),
-                        history.csv()},
-                       scene.state(),
-                       [&](ArchiveWriter &archive) { save(archive, place); });
+      checkpoint.write(
+        {scene.stages()[place.stage].name,
+         place.number,
+         file.text(),
+         history.csv()},
+        scene.state(),
+        [&](ArchiveWriter &archive) { save(archive, place); },
+        path);
     }
   } // namespace Simulation
 } // namespace Heddle

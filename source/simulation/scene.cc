@@ -1,12 +1,12 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/contributions/crossing_enforcement.h>
-#include <heddle/contributions/fiber_friction.h>
 #include <heddle/contributions/loads.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/contributions/supports.h>
 #include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/fiber_placement.h>
+#include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/simulation/yarn_guides.h>
 
@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace Heddle
 {
@@ -33,7 +34,7 @@ namespace Heddle
       configuration->accept();
 
       make_contributions();
-      if (fabric)
+      if (fabric && parameters.restart.initial_configuration.empty())
         {
           if (parameters.weave.description().start ==
               Textile::Start::interpenetrating)
@@ -43,6 +44,10 @@ namespace Heddle
       if (!parameters.supports.empty())
         add_load_stage();
     }
+
+
+
+    Scene::~Scene() = default;
 
 
 
@@ -216,6 +221,7 @@ namespace Heddle
       stage.name          = "load";
       stage.plan          = parameters.load_stepping.plan();
       stage.is_loaded     = true;
+      stage.begin         = [this] { begin_loading(); };
       stage.contributions = {
         fiber_elasticity,
         std::make_shared<Contributions::Supports>(
@@ -239,6 +245,76 @@ namespace Heddle
 
 
 
+    bool
+    Scene::ends_initially(const unsigned int stage) const
+    {
+      return fabric && !all_stages[stage].is_loaded &&
+             (stage + 1 == all_stages.size() ||
+              all_stages[stage + 1].is_loaded);
+    }
+
+
+
+    void
+    Scene::begin_loading()
+    {
+      if (fabric && parameters.restart.stress_free)
+        {
+          fiber_elasticity->set_reference(state());
+          if (fiber_contact)
+            fiber_contact->forgive_penetration(state());
+          if (fiber_friction)
+            fiber_friction->forget();
+        }
+      if (parameters.matrix.enabled)
+        embed();
+    }
+
+
+
+    void
+    Scene::embed()
+    {
+      composite = std::make_unique<Matrix>(parameters.matrix, state());
+      for (Stage &stage : all_stages)
+        if (stage.is_loaded)
+          {
+            stage.contributions.push_back(composite->elasticity());
+            stage.contributions.push_back(composite->coupling());
+          }
+    }
+
+
+
+    void
+    Scene::embed_as(const ArchiveReader &archive)
+    {
+      Matrix::load(archive, state());
+      embed();
+    }
+
+
+
+    std::map<std::string, double>
+    Scene::report() const
+    {
+      std::map<std::string, double> values;
+      if (parameters.matrix.enabled && !composite)
+        for (const char *name : {"matrix_energy[N*mm]",
+                                 "coupling_energy[N*mm]",
+                                 "coupling_elements[-]",
+                                 "largest_coupling_force_per_length[N/mm]"})
+          values[name] = 0.;
+      std::set<const System::Contribution *> reported;
+      for (const Stage &stage : all_stages)
+        for (const auto &contribution : stage.contributions)
+          if (reported.insert(contribution.get()).second)
+            contribution->report(*configuration, values);
+      return values;
+    }
+
+
+
     std::vector<std::string>
     Scene::contribution_names() const
     {
@@ -248,6 +324,9 @@ namespace Heddle
           if (std::find(names.begin(), names.end(), contribution->name()) ==
               names.end())
             names.push_back(contribution->name());
+      if (parameters.matrix.enabled && !composite)
+        names.insert(names.end(),
+                     {"matrix elasticity", "fiber-matrix coupling"});
       return names;
     }
 

@@ -88,7 +88,7 @@ namespace Heddle
         petsc(MatSeqBAIJGetArray(diagonal, &values));
 
       const unsigned int height = bandwidth + 1;
-      bands.assign(std::size_t(3) * state.n_owned_blocks() * height, 0.);
+      bands.assign(std::size_t(3) * state.n_owned_fiber_blocks() * height, 0.);
       const auto owned = state.space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {

@@ -14,8 +14,9 @@ namespace Heddle
       choose_direct(const LinearSolverParameters &parameters,
                     const System::BlockSystem    &system)
       {
-        return parameters.direct(system.state.space.n_dofs()) ||
-               (parameters.kind == "automatic" && !system.is_symmetric());
+        return parameters.direct(system.state.n_dofs()) ||
+               (parameters.kind == "automatic" &&
+                (!system.is_symmetric() || system.state.matrix()));
       }
 
 

@@ -112,8 +112,10 @@ namespace Heddle
     void
     Newton::begin(const System::State &state)
     {
-      if (block_system)
+      if (block_system && field_version == state.field_version())
         return;
+      linear_solver.reset();
+      field_version = state.field_version();
       block_system =
         std::make_unique<System::BlockSystem>(state, /*symmetric=*/true);
       linear_solver =
@@ -490,20 +492,21 @@ namespace Heddle
     Newton::largest_motion(const System::State     &state,
                            const System::Increment &increment) const
     {
-      double     largest = 0.;
-      const auto owned   = state.space.owned_fibers();
-      for (unsigned int f = owned.first; f < owned.second; ++f)
-        for (unsigned int i = 0; i < state.space.fiber(f).n_nodes; ++i)
-          {
-            const double motion = increment[state.local_block(f) +
-                                            i * state.space.n_blocks_per_node()]
-                                    .norm();
-            // A motion that is not a number is larger than all numbers.
-            if (!(motion <= largest))
-              largest = std::isnan(motion)
-                          ? std::numeric_limits<double>::infinity()
-                          : motion;
-          }
+      double     largest  = 0.;
+      const auto consider = [&](const unsigned int block) {
+        const double motion = increment[block].norm();
+        // A motion that is not a number is larger than all numbers.
+        if (!(motion <= largest))
+          largest = std::isnan(motion) ? std::numeric_limits<double>::infinity()
+                                       : motion;
+      };
+      for (unsigned int b = 0; b < state.n_owned_fiber_blocks();
+           b += state.space.n_blocks_per_node())
+        consider(b);
+      for (unsigned int b = state.n_owned_fiber_blocks();
+           b < state.n_owned_blocks();
+           ++b)
+        consider(b);
       return Utilities::MPI::max(largest, communicator) / length_scale;
     }
 
@@ -517,6 +520,8 @@ namespace Heddle
     {
       log << "  newton " << std::setw(3) << iteration << std::scientific
           << std::setprecision(1) << "  residual " << residual.ratio;
+      if (block_system->state.matrix())
+        log << "  matrix " << residual.matrix_ratio;
       if (iteration > 0)
         log << "  increment " << result.increment;
       if (softness > 0.)

@@ -1,4 +1,5 @@
 #include <heddle/solver/predictor.h>
+#include <heddle/system/block_archive.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -88,7 +89,7 @@ namespace Heddle
           motion[b] -= state.current()[b];
         }
       if (state.space.n_blocks_per_node() == 3)
-        for (unsigned int b = 1; b < motion.size(); b += 3)
+        for (unsigned int b = 1; b < state.n_owned_fiber_blocks(); b += 3)
           rotate_section(weights, b, motion.data() + b);
       return motion;
     }
@@ -127,41 +128,28 @@ namespace Heddle
 
 
     void
-    Predictor::save(ArchiveWriter            &archive,
-                    const System::FiberSpace &space) const
+    Predictor::save(ArchiveWriter &archive, const System::State &state) const
     {
       archive.write_number("predictor/n_points", points.size());
       for (unsigned int i = 0; i < points.size(); ++i)
         {
           archive.write_number(entry(i, "load factor"), points[i].load_factor);
-          std::vector<double> values;
-          for (const Tensor<1, 3> &block : points[i].blocks)
-            values.insert(values.end(), block.begin_raw(), block.end_raw());
-          archive.write(entry(i, "blocks"),
-                        space.owned_blocks().first,
-                        space.n_blocks(),
-                        values,
-                        3);
+          System::write_blocks(
+            archive, entry(i, "blocks"), state, points[i].blocks);
         }
     }
 
 
 
     void
-    Predictor::load(const ArchiveReader      &archive,
-                    const System::FiberSpace &space)
+    Predictor::load(const ArchiveReader &archive, const System::State &state)
     {
       points.resize(archive.read_number("predictor/n_points"));
-      const auto owned = space.owned_blocks();
       for (unsigned int i = 0; i < points.size(); ++i)
         {
           points[i].load_factor = archive.read_number(entry(i, "load factor"));
-          points[i].blocks.resize(owned.second - owned.first);
-          const std::vector<double> values = archive.read(
-            entry(i, "blocks"), owned.first, points[i].blocks.size(), 3);
-          for (unsigned int b = 0; b < points[i].blocks.size(); ++b)
-            for (unsigned int d = 0; d < 3; ++d)
-              points[i].blocks[b][d] = values[3 * b + d];
+          points[i].blocks =
+            System::read_blocks(archive, entry(i, "blocks"), state);
         }
     }
   } // namespace Solver

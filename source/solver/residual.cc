@@ -26,7 +26,7 @@ namespace Heddle
 
       // A block that is no position answers with a moment: per element length
       // that is a force.
-      std::array<double, 2> largest = {};
+      std::array<double, 3> largest = {};
       std::array<double, 2> sums    = {};
       const auto            owned   = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
@@ -48,6 +48,16 @@ namespace Heddle
                 std::max(largest[1], scale * system.residual()[k].norm());
             }
         }
+      for (unsigned int k = state.n_owned_fiber_blocks();
+           k < state.n_owned_blocks();
+           ++k)
+        {
+          sums[0] += unbalanced[k].norm_square();
+          sums[1] += 1.;
+          largest[0] = std::max(largest[0], unbalanced[k].norm());
+          largest[1] = std::max(largest[1], system.residual()[k].norm());
+          largest[2] = std::max(largest[2], unbalanced[k].norm());
+        }
       max_over_ranks(largest, space.communicator());
       sum_over_ranks(sums, space.communicator());
 
@@ -61,8 +71,9 @@ namespace Heddle
       residual.largest_force = largest[0];
       if (largest[0] > negligible)
         {
-          residual.ratio      = largest[0] / typical;
-          residual.mean_ratio = std::sqrt(sums[0] / sums[1]) / typical;
+          residual.ratio        = largest[0] / typical;
+          residual.matrix_ratio = largest[2] / typical;
+          residual.mean_ratio   = std::sqrt(sums[0] / sums[1]) / typical;
         }
       residual.pending = pending_motion(constraints, space.communicator());
       return residual;
@@ -85,6 +96,34 @@ namespace Heddle
 
 
 
+    namespace
+    {
+      /** "fiber 3 of yarn 1", or "the matrix", and where in space. */
+      std::string
+      place_in_words(const System::State &state,
+                     const unsigned int   block,
+                     const unsigned int   fiber)
+      {
+        std::ostringstream text;
+        text << std::setprecision(3);
+        if (block >= state.n_owned_fiber_blocks())
+          text << "the matrix";
+        else
+          {
+            const unsigned int yarn = state.space.fiber(fiber).yarn_id;
+            text << "fiber " << fiber;
+            if (yarn != numbers::invalid_unsigned_int)
+              text << " of yarn " << yarn;
+          }
+        const Tensor<1, 3> &place = state.current()[block];
+        text << " near (" << place[0] << ", " << place[1] << ", " << place[2]
+             << ")";
+        return text.str();
+      }
+    } // namespace
+
+
+
     std::string
     largest_imbalance(const System::BlockSystem &system,
                       const Contributions       &contributions)
@@ -94,47 +133,48 @@ namespace Heddle
       std::vector<Tensor<1, 3>> unbalanced;
       system.unbalanced(unbalanced);
       double       largest = -1.;
-      unsigned int fiber = 0, node = 0;
-      const auto   owned = space.owned_fibers();
+      unsigned int fiber = 0, node = 0, block = 0;
+      const auto   consider = [&](const unsigned int candidate) {
+        const double force = unbalanced[candidate].norm();
+        if (force <= largest)
+          return false;
+        largest = force;
+        block   = candidate;
+        return true;
+      };
+      const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
-          {
-            const double force =
-              unbalanced[state.local_block(f) + i * space.n_blocks_per_node()]
-                .norm();
-            if (force > largest)
-              {
-                largest = force;
-                fiber   = f;
-                node    = i;
-              }
-          }
+          if (consider(state.local_block(f) + i * space.n_blocks_per_node()))
+            {
+              fiber = f;
+              node  = i;
+            }
+      for (unsigned int b = state.n_owned_fiber_blocks();
+           b < state.n_owned_blocks();
+           ++b)
+        consider(b);
 
       // The rank that has it says where it is.
       const auto where =
         Utilities::MPI::min_max_avg(largest, space.communicator());
-      std::ostringstream text;
+      std::string text;
       if (where.max_index ==
           Utilities::MPI::this_mpi_process(space.communicator()))
         {
-          const unsigned int yarn = space.fiber(fiber).yarn_id;
-          const Tensor<1, 3> place =
-            state.fiber(fiber)[node * space.n_blocks_per_node()];
-          text << std::setprecision(3) << "fiber " << fiber;
-          if (yarn != numbers::invalid_unsigned_int)
-            text << " of yarn " << yarn;
-          text << " near (" << place[0] << ", " << place[1] << ", " << place[2]
-               << ")";
+          text              = place_in_words(state, block, fiber);
           std::string begin = ", where it touches fiber ";
-          for (const auto &contribution : contributions)
-            for (const unsigned int other : contribution->partners(fiber, node))
-              {
-                text << begin << other;
-                begin = ", ";
-              }
+          if (block < state.n_owned_fiber_blocks())
+            for (const auto &contribution : contributions)
+              for (const unsigned int other :
+                   contribution->partners(fiber, node))
+                {
+                  text += begin + std::to_string(other);
+                  begin = ", ";
+                }
         }
       return Utilities::MPI::broadcast(
-        space.communicator(), text.str(), where.max_index);
+        space.communicator(), text, where.max_index);
     }
   } // namespace Solver
 } // namespace Heddle

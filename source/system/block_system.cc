@@ -11,8 +11,11 @@ namespace Heddle
   {
     namespace
     {
-      /** Largest number of blocks of one term: a cubic director element. */
-      constexpr unsigned int max_blocks = 16;
+      /**
+       * Largest number of blocks of one term: a point of a fiber in a
+       * hexahedron of degree 2, four and 27.
+       */
+      constexpr unsigned int max_blocks = 31;
     } // namespace
 
 
@@ -53,16 +56,8 @@ namespace Heddle
     void
     BlockSystem::set_pattern(Pattern &pattern)
     {
-      const FiberSpace  &space   = state.space;
       const unsigned int n_owned = state.n_owned_blocks();
-      const PetscInt     first   = space.owned_blocks().first;
-
-      global_blocks.resize(state.n_local_blocks());
-      for (unsigned int b = 0; b < n_owned; ++b)
-        global_blocks[b] = first + b;
-      for (const unsigned int f : state.ghost_fibers())
-        for (unsigned int b = 0; b < space.n_blocks(f); ++b)
-          global_blocks[state.local_block(f) + b] = space.first_block(f) + b;
+      global_blocks              = state.global_blocks();
 
       std::vector<PetscInt> row_begin(1, 0), columns;
       for (unsigned int row = 0; row < n_owned; ++row)
@@ -80,7 +75,7 @@ namespace Heddle
         }
 
       petsc(MatDestroy(&matrix));
-      petsc(MatCreate(space.communicator(), &matrix));
+      petsc(MatCreate(state.space.communicator(), &matrix));
       petsc(MatSetSizes(
         matrix, 3 * n_owned, 3 * n_owned, PETSC_DETERMINE, PETSC_DETERMINE));
       petsc(MatSetType(matrix, symmetric ? MATSBAIJ : MATBAIJ));
@@ -225,6 +220,49 @@ namespace Heddle
                     }
                 }
           }
+    }
+
+
+
+    void
+    BlockSystem::add_row(const unsigned int  row,
+                         const unsigned int  n,
+                         const unsigned int *columns,
+                         const Tensor<2, 3> *values)
+    {
+      const int      of_row = constraint_of_block[row];
+      const PetscInt here   = global_blocks[row];
+      work.resize(9 * n);
+      row_columns.resize(n);
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          Tensor<2, 3> value     = values[k];
+          const int    of_column = constraint_of_block[columns[k]];
+          if (of_row >= 0)
+            value = constraints[of_row].frame * value;
+          if (of_column >= 0)
+            {
+              const Constraint &constraint = constraints[of_column];
+              value = value * transpose(constraint.frame);
+              for (unsigned int d = 0; d < 3; ++d)
+                if (constraint.fixed[d])
+                  for (unsigned int e = 0; e < 3; ++e)
+                    {
+                      lifting[row][e] += value[e][d] * constraint.pending[d];
+                      value[e][d] = 0.;
+                    }
+            }
+          if (of_row >= 0)
+            for (unsigned int e = 0; e < 3; ++e)
+              if (constraints[of_row].fixed[e])
+                value[e] = 0.;
+          row_columns[k] = global_blocks[columns[k]];
+          for (unsigned int e = 0; e < 3; ++e)
+            for (unsigned int d = 0; d < 3; ++d)
+              work[3 * n * e + 3 * k + d] = value[e][d];
+        }
+      petsc(MatSetValuesBlocked(
+        matrix, 1, &here, n, row_columns.data(), work.data(), ADD_VALUES));
     }
 
 

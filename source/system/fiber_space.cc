@@ -85,11 +85,8 @@ namespace Heddle
     std::pair<unsigned int, unsigned int>
     FiberSpace::owned_blocks() const
     {
-      const auto begin_of = [this](const unsigned int f) {
-        return f < fibers.size() ? first_block(f) : n_blocks();
-      };
-      return {begin_of(rank_begin[this_rank]),
-              begin_of(rank_begin[this_rank + 1])};
+      return {this_rank == 0 ? 0 : end_of_blocks(this_rank - 1),
+              end_of_blocks(this_rank)};
     }
 
 

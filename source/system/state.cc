@@ -3,6 +3,8 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace Heddle
@@ -11,12 +13,14 @@ namespace Heddle
   {
     State::State(const FiberSpace &space)
       : space(space)
-      , owned_blocks(space.owned_blocks().second - space.owned_blocks().first)
+      , owned_fiber_blocks(space.owned_blocks().second -
+                           space.owned_blocks().first)
+      , owned_blocks(owned_fiber_blocks)
       , blocks(owned_blocks)
       , accepted_blocks(owned_blocks)
       , local_begin(space.n_fibers(), absent)
-      , sent(Utilities::MPI::n_mpi_processes(space.communicator()))
-      , received(sent.size())
+      , fiber_exchange(space.communicator())
+      , node_exchange(space.communicator())
     {
       const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
@@ -26,35 +30,139 @@ namespace Heddle
 
 
     void
+    State::set_matrix(const MatrixSpace               *matrix,
+                      const std::vector<unsigned int> &foreign_nodes,
+                      const std::vector<unsigned int> &foreign_fibers)
+    {
+      matrix_space     = matrix;
+      ghost_nodes      = foreign_nodes;
+      linked_fibers    = foreign_fibers;
+      const auto owned = matrix->owned_nodes();
+      owned_blocks     = owned_fiber_blocks + owned.second - owned.first;
+      ++fields;
+
+      blocks.resize(n_fixed_blocks());
+      for (unsigned int node = owned.first; node < owned.second; ++node)
+        blocks[matrix_block(node)] = matrix->reference(node);
+      for (const unsigned int node : ghost_nodes)
+        blocks[matrix_block(node)] = matrix->reference(node);
+      accepted_blocks.resize(owned_fiber_blocks);
+      accepted_blocks.insert(accepted_blocks.end(),
+                             blocks.begin() + owned_fiber_blocks,
+                             blocks.end());
+
+      std::map<unsigned int, std::vector<unsigned int>> wanted;
+      for (const unsigned int node : ghost_nodes)
+        wanted[matrix->owner(node)].push_back(node);
+      node_exchange.received.clear();
+      node_exchange.sent.clear();
+      for (const auto &request : wanted)
+        node_exchange.received[request.first] = {
+          matrix_block(request.second.front()),
+          static_cast<unsigned int>(request.second.size())};
+      for (const auto &request :
+           Utilities::MPI::some_to_some(space.communicator(), wanted))
+        for (const unsigned int node : request.second)
+          node_exchange.sent[request.first].push_back({matrix_block(node), 1});
+
+      set_ghost_fibers(ghosts);
+    }
+
+
+
+    bool
+    State::has_matrix_node(const unsigned int node) const
+    {
+      return matrix_space->owns(node) ||
+             std::binary_search(ghost_nodes.begin(), ghost_nodes.end(), node);
+    }
+
+
+
+    unsigned int
+    State::matrix_block(const unsigned int node) const
+    {
+      if (matrix_space->owns(node))
+        return owned_fiber_blocks + node - matrix_space->owned_nodes().first;
+      const auto ghost =
+        std::lower_bound(ghost_nodes.begin(), ghost_nodes.end(), node);
+      Assert(ghost != ghost_nodes.end() && *ghost == node,
+             ExcMessage("This node of the matrix is not held here."));
+      return owned_blocks + (ghost - ghost_nodes.begin());
+    }
+
+
+
+    std::vector<int>
+    State::global_blocks() const
+    {
+      // Before the fibers of a rank lie the nodes of lower ranks, before its
+      // nodes the fibers of those and its own.
+      std::vector<int> numbers(blocks.size());
+      const auto       number_fiber = [&](const unsigned int f) {
+        const unsigned int nodes_before =
+          matrix_space ? matrix_space->first_node(space.owner(f)) : 0;
+        for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+          numbers[local_begin[f] + b] = space.first_block(f) + nodes_before + b;
+      };
+      const auto number_node = [&](const unsigned int node) {
+        numbers[matrix_block(node)] =
+          space.end_of_blocks(matrix_space->owner(node)) + node;
+      };
+
+      const auto owned = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        number_fiber(f);
+      for (const unsigned int f : ghosts)
+        number_fiber(f);
+      if (matrix_space)
+        {
+          const auto nodes = matrix_space->owned_nodes();
+          for (unsigned int node = nodes.first; node < nodes.second; ++node)
+            number_node(node);
+          for (const unsigned int node : ghost_nodes)
+            number_node(node);
+        }
+      return numbers;
+    }
+
+
+
+    void
     State::set_ghost_fibers(const std::vector<unsigned int> &fibers)
     {
+      std::vector<unsigned int> all;
+      std::set_union(fibers.begin(),
+                     fibers.end(),
+                     linked_fibers.begin(),
+                     linked_fibers.end(),
+                     std::back_inserter(all));
       for (const unsigned int f : ghosts)
         local_begin[f] = absent;
-      ghosts = fibers;
+      ghosts = all;
       ++version;
 
       std::map<unsigned int, std::vector<unsigned int>> wanted;
-      unsigned int                                      end = owned_blocks;
+      unsigned int                                      end = n_fixed_blocks();
+      fiber_exchange.received.clear();
+      fiber_exchange.sent.clear();
       for (const unsigned int f : ghosts)
         {
           Assert(!space.owns(f), ExcMessage("An owned fiber is no ghost."));
-          local_begin[f] = end;
+          const unsigned int owner = space.owner(f);
+          local_begin[f]           = end;
           end += space.n_blocks(f);
-          wanted[space.owner(f)].push_back(f);
+          wanted[owner].push_back(f);
+          fiber_exchange.received.insert({owner, {local_begin[f], 0}})
+            .first->second.n += space.n_blocks(f);
         }
       blocks.resize(end);
       accepted_blocks.resize(end);
-
-      for (unsigned int rank = 0; rank < sent.size(); ++rank)
-        {
-          sent[rank].clear();
-          received[rank].clear();
-        }
-      for (const auto &request : wanted)
-        received[request.first] = request.second;
       for (const auto &request :
            Utilities::MPI::some_to_some(space.communicator(), wanted))
-        sent[request.first] = request.second;
+        for (const unsigned int f : request.second)
+          fiber_exchange.sent[request.first].push_back(
+            {local_begin[f], space.n_blocks(f)});
 
       update_ghosts();
       update_ghosts(accepted_blocks);
@@ -74,45 +182,8 @@ namespace Heddle
     State::update_ghosts(std::vector<Tensor<1, 3>> &values) const
     {
       AssertDimension(values.size(), blocks.size());
-      std::vector<MPI_Request>               requests;
-      std::vector<std::vector<Tensor<1, 3>>> buffers;
-      buffers.reserve(sent.size());
-
-      // Ghosts of one rank are consecutive here, so they are received in place.
-      for (unsigned int rank = 0; rank < received.size(); ++rank)
-        if (!received[rank].empty())
-          {
-            unsigned int n = 0;
-            for (const unsigned int f : received[rank])
-              n += space.n_blocks(f);
-            requests.emplace_back();
-            MPI_Irecv(values.data() + local_begin[received[rank].front()],
-                      3 * n,
-                      MPI_DOUBLE,
-                      rank,
-                      0,
-                      space.communicator(),
-                      &requests.back());
-          }
-      for (unsigned int rank = 0; rank < sent.size(); ++rank)
-        if (!sent[rank].empty())
-          {
-            buffers.emplace_back();
-            for (const unsigned int f : sent[rank])
-              buffers.back().insert(buffers.back().end(),
-                                    values.begin() + local_begin[f],
-                                    values.begin() + local_begin[f] +
-                                      space.n_blocks(f));
-            requests.emplace_back();
-            MPI_Isend(buffers.back().data(),
-                      3 * buffers.back().size(),
-                      MPI_DOUBLE,
-                      rank,
-                      0,
-                      space.communicator(),
-                      &requests.back());
-          }
-      MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
+      fiber_exchange.update(values);
+      node_exchange.update(values);
     }
 
 

@@ -29,6 +29,9 @@ namespace Heddle
       double       q_end;   /**< the same at its end [mm] */
       double       penalty; /**< [N/mm^2] */
 
+      /** By how much the sum of the radii is taken smaller [mm]. */
+      double forgiven = 0.;
+
       /** Penalty over that of the last accepted step. */
       double hardened = 1.;
     };
@@ -69,7 +72,7 @@ namespace Heddle
      * Append the contact elements of one cell to @p elements and return the
      * largest penetration in it [mm], 0 if the fibers do not touch there.
      * Surfaces that wear a skin touch where their gap is less than @p skin
-     * [mm].
+     * [mm]. Axes of fibers that touch are @p distance_at_contact apart [mm].
      *
      * Across the cell of two @p aligned fibers the gap changes by little: its
      * four Gauss points are elements where they touch. That is as smooth as the
@@ -92,6 +95,7 @@ namespace Heddle
     place_in_cell(const IntermediateGeometry  &geometry,
                   const CellEnd               &begin,
                   const CellEnd               &end,
+                  const double                 distance_at_contact,
                   const double                 skin,
                   const bool                   aligned,
                   std::vector<ContactElement> &elements);

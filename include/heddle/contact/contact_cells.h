@@ -7,6 +7,7 @@
 #include <heddle/contact/proximity_zone.h>
 
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -122,6 +123,28 @@ namespace Heddle
       void
       accept();
 
+      /** By the numbers of two fibers, the smaller one first [mm]. */
+      using ForgivenPenetrations =
+        std::map<std::pair<unsigned int, unsigned int>, double>;
+
+      /**
+       * What fibers lie in each other now counts as none from now on: where
+       * they met in any place, the sum of their radii is taken smaller by the
+       * deepest penetration, all along. So nothing touches as elements were
+       * last placed, and forces stay smooth as fibers move.
+       */
+      void
+      forgive();
+
+      const ForgivenPenetrations &
+      forgiven() const
+      {
+        return forgiven_of;
+      }
+
+      void
+      set_forgiven(const ForgivenPenetrations &penetrations);
+
       /** Set the penalties from which the next search hands on [N/mm^2]. */
       void
       set_cells(const std::vector<ContactCell> &cells);
@@ -162,11 +185,15 @@ namespace Heddle
                const double                    whole,
                const std::vector<ContactCell> &old_cells) const;
 
+      double
+      forgiven(const ContactCell &cell) const;
+
       const double             search_distance;
       const double             refinement;
       const FirstPenalty       first_penalty;
       std::vector<Zone>        all_zones;
       std::vector<ContactCell> all_cells;
+      ForgivenPenetrations     forgiven_of;
     };
   } // namespace Contact
 } // namespace Heddle

@@ -22,10 +22,11 @@ namespace Heddle
       int    orientation; /**< +1: the fibers run the same way there, else -1 */
       double s_a;         /**< arc length of the particle on a [mm] */
       double s_b;         /**< arc length of the particle on b [mm] */
-      double weight;  /**< tributary length of the intermediate curve [mm] */
-      double gap;     /**< distance of the surfaces, negative inside [mm] */
-      double force;   /**< normal force, not negative [N] */
-      double penalty; /**< force per length per penetration [N/mm^2] */
+      double weight;   /**< tributary length of the intermediate curve [mm] */
+      double gap;      /**< distance of the surfaces, negative inside [mm] */
+      double forgiven; /**< penetration that counts as none [mm] */
+      double force;    /**< normal force, not negative [N] */
+      double penalty;  /**< force per length per penetration [N/mm^2] */
       Tensor<1, 3> normal; /**< unit vector from b to a */
     };
   } // namespace Contact

@@ -21,8 +21,6 @@ namespace Heddle
     class ExternalWork
     {
     public:
-      ExternalWork(const System::FiberSpace &space);
-
       /** The forces on the owned blocks of @p state as they are now. */
       void
       set_forces(const std::vector<Tensor<1, 3>> &forces)
@@ -43,13 +41,16 @@ namespace Heddle
 
       /** @note Collective. */
       void
-      save(ArchiveWriter &archive, const std::string &name) const;
+      save(ArchiveWriter       &archive,
+           const std::string   &name,
+           const System::State &state) const;
 
       void
-      load(const ArchiveReader &archive, const std::string &name);
+      load(const ArchiveReader &archive,
+           const std::string   &name,
+           const System::State &state);
 
     private:
-      const System::FiberSpace &space;
       std::vector<Tensor<1, 3>> before, now; /**< on owned blocks [N] */
       double                    work = 0.;   /**< [N mm] */
     };

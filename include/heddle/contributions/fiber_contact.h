@@ -120,10 +120,18 @@ namespace Heddle
 
       /** The cells of all zones, with their penalties. */
       void
-      save(ArchiveWriter &archive) const override;
+      save(ArchiveWriter &archive, const System::State &state) const override;
 
       void
-      load(const ArchiveReader &archive) override;
+      load(const ArchiveReader &archive, const System::State &state) override;
+
+      void
+      load_initial(const ArchiveReader &archive,
+                   const System::State &state) override
+      {
+        if (archive.has(name() + "/cells"))
+          load(archive, state);
+      }
 
       const std::vector<Contact::ContactElement> &
       elements() const
@@ -134,6 +142,14 @@ namespace Heddle
       /** Derivative of an element's force by its penetration [N/mm]. */
       double
       stiffness(const Contact::ContactElement &element) const;
+
+      /**
+       * The fibers as they lie in @p state are free of contact forces from now
+       * on, see ContactCells::forgive(). Energy counts from zero.
+       * @note Collective.
+       */
+      void
+      forgive_penetration(System::State &state);
 
       /** Set the threshold that adapt() and objection() go by [-]. */
       void

@@ -57,6 +57,17 @@ namespace Heddle
       report(const System::State           &state,
              std::map<std::string, double> &values) const override;
 
+      /** From now on the fibers are free of stress as they lie in @p state. */
+      void
+      set_reference(const System::State &state);
+
+      /** The reference, if it was set() after the beginning. */
+      void
+      save(ArchiveWriter &archive, const System::State &state) const override;
+
+      void
+      load(const ArchiveReader &archive, const System::State &state) override;
+
       /** Reference strains of element @p e of the owned fiber @p f. */
       const double *
       reference_strains(const unsigned int f, const unsigned int e) const
@@ -72,6 +83,10 @@ namespace Heddle
                space.element().n_strains();
       }
 
+      /** Numbers of all elements, and of those of lower ranks. */
+      std::pair<unsigned int, unsigned int>
+      count_elements() const;
+
       /** Call @p action(fiber, element, first local block) for owned ones. */
       template <typename Action>
       void
@@ -80,6 +95,7 @@ namespace Heddle
       const System::FiberSpace &space;
       std::vector<unsigned int> first_element;
       std::vector<double>       reference;
+      bool                      reference_was_set = false;
 
       /** Predicted stresses; not used before the first prediction of a step. */
       std::vector<double> stresses;

@@ -81,12 +81,24 @@ namespace Heddle
       void
       accept_step(const System::State &state) override;
 
+      /** Nothing was displaced or dissipated yet. */
+      void
+      forget();
+
       /** What is remembered, and the energies. */
       void
-      save(ArchiveWriter &archive) const override;
+      save(ArchiveWriter &archive, const System::State &state) const override;
 
       void
-      load(const ArchiveReader &archive) override;
+      load(const ArchiveReader &archive, const System::State &state) override;
+
+      void
+      load_initial(const ArchiveReader &archive,
+                   const System::State &state) override
+      {
+        if (archive.has(name() + "/displacements"))
+          load(archive, state);
+      }
 
     private:
       /** Where fibers rub, and how strongly. */

@@ -2,6 +2,7 @@
 #define heddle_contributions_held_block_h
 
 #include <heddle/contributions/support_parameters.h>
+#include <heddle/system/state.h>
 
 #include <array>
 #include <vector>
@@ -26,6 +27,7 @@ namespace Heddle
 
       static constexpr unsigned int nobody = static_cast<unsigned int>(-1);
 
+      /** A fiber and one of its blocks, or nobody and a node of the matrix. */
       unsigned int fiber;
       unsigned int block; /**< counted from the fiber's first */
       Kind         kind;
@@ -34,19 +36,31 @@ namespace Heddle
 
       /** Number of the support that holds a component, or nobody. */
       std::array<unsigned int, 3> holder = {{nobody, nobody, nobody}};
+
+      bool
+      is_in_matrix() const
+      {
+        return fiber == nobody;
+      }
+
+      /** Local number of the block, or nobody if it is not held here. */
+      unsigned int
+      local_block(const System::State &state) const;
     };
 
     /**
      * Return all blocks that @p supports hold, on all ranks, by fiber and
      * block. Two supports may hold different components of a block, or the same
      * one in the same way; throw InputError for what does not go together.
-     * @p reference are the owned blocks in the reference configuration.
+     * @p reference are the owned blocks in the reference configuration;
+     * @p matrix may be nullptr.
      * @note Collective.
      */
     std::vector<HeldBlock>
     find_held_blocks(const System::FiberSpace        &space,
                      const std::vector<Tensor<1, 3>> &reference,
-                     const SupportList               &supports);
+                     const SupportList               &supports,
+                     const System::MatrixSpace       *matrix);
   } // namespace Contributions
 } // namespace Heddle
 

@@ -80,10 +80,10 @@ namespace Heddle
 
       /** Where formulas and displacements count from, and the work. */
       void
-      save(ArchiveWriter &archive) const override;
+      save(ArchiveWriter &archive, const System::State &state) const override;
 
       void
-      load(const ArchiveReader &archive) override;
+      load(const ArchiveReader &archive, const System::State &state) override;
 
     private:
       using Expressions = std::array<Expression, 3>;

@@ -24,6 +24,7 @@ namespace Heddle
       SupportParameters(const std::string &section = "/Supports/Support 1");
 
       NodeSelection              nodes;
+      std::vector<std::string>   matrix_sides;
       std::array<std::string, 3> displacement = {{"free", "free", "free"}};
       std::string                section      = "free";
       std::string                angle        = "0";
@@ -33,6 +34,10 @@ namespace Heddle
       /** Throw InputError if the entries make no support. */
       void
       check() const;
+
+      /** Numbers of the sides of the matrix, x-, x+, y-, y+, z-, z+. */
+      std::vector<unsigned int>
+      sides() const;
 
       /** How messages call an entry: `Supports/Support 1: "Turn angle"`. */
       std::string

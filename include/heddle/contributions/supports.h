@@ -65,7 +65,8 @@ namespace Heddle
       observe(const System::BlockSystem &system) override;
 
       /**
-       * The sum of the forces by which each support acts on the fibers, their
+       * The sum of the forces by which each support acts, that on the matrix
+       * also by itself, their
        * moment about the origin, with that on held sections, and the work of
        * all supports.
        */
@@ -78,10 +79,10 @@ namespace Heddle
 
       /** Where motions count from, and the work. */
       void
-      save(ArchiveWriter &archive) const override;
+      save(ArchiveWriter &archive, const System::State &state) const override;
 
       void
-      load(const ArchiveReader &archive) override;
+      load(const ArchiveReader &archive, const System::State &state) override;
 
     private:
       /** The formulas of one support; free components have none. */
@@ -94,8 +95,9 @@ namespace Heddle
 
       struct Reaction
       {
-        Tensor<1, 3> force;  /**< [N] */
-        Tensor<1, 3> moment; /**< about the origin [N mm] */
+        Tensor<1, 3> force;     /**< [N] */
+        Tensor<1, 3> moment;    /**< about the origin [N mm] */
+        Tensor<1, 3> of_matrix; /**< part of the force on the matrix [N] */
       };
 
       /** Where the motion takes a block; free components: its reference. */
@@ -104,6 +106,7 @@ namespace Heddle
 
       const System::FiberSpace &space;
       const SupportList        &supports;
+      std::vector<Tensor<1, 3>> reference; /**< owned blocks */
       std::vector<HeldBlock>    blocks;
       std::vector<Motion>       motions;
       std::vector<Reaction>     reactions;

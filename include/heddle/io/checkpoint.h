@@ -36,7 +36,7 @@ namespace Heddle
       using Load = std::function<void(const ArchiveReader &)>;
 
       /** Number of the layout of the files; older and newer are refused. */
-      static constexpr unsigned int schema = 2;
+      static constexpr unsigned int schema = 3;
 
       /** The last @p n_kept files stay. */
       Checkpoint(const System::FiberSpace &space,
@@ -45,12 +45,14 @@ namespace Heddle
 
       /**
        * Write @p state, and what @p save adds: the parts of the contributions.
+       * To the file @p other_path, if it is given, beside the numbered ones.
        * @note Collective.
        */
       void
       write(const Position      &position,
             const System::State &state,
-            const Save          &save) const;
+            const Save          &save,
+            const std::string   &other_path = "") const;
 
       /**
        * Return the path of the last checkpoint in @p directory; without one,
@@ -62,13 +64,16 @@ namespace Heddle
       /**
        * Set @p state, current and accepted, from the file @p path, let @p load
        * take what belongs to the contributions, and return where the run
-       * stood. A file of other fibers throws InputError.
+       * stood. Before, @p prepare may give the state the fields that it had. A
+       * file of other fibers throws InputError.
        * @note Collective.
        */
       Position
-      read(const std::string &path,
-           System::State     &state,
-           const Load        &load) const;
+      read(
+        const std::string &path,
+        System::State     &state,
+        const Load        &load,
+        const Load        &prepare = [](const ArchiveReader &) {}) const;
 
     private:
       void

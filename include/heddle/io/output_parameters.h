@@ -30,6 +30,7 @@ namespace Heddle
 
       bool         fibers              = true;
       bool         contacts            = true;
+      bool         matrix              = true;
       unsigned int interval            = 1;
       unsigned int subdivisions        = 2;
       unsigned int checkpoint_interval = 1;

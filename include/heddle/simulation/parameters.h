@@ -8,7 +8,9 @@
 #include <heddle/io/output_parameters.h>
 #include <heddle/simulation/centerline_parameters.h>
 #include <heddle/simulation/fiber_parameters.h>
+#include <heddle/simulation/matrix_parameters.h>
 #include <heddle/simulation/ordering_stage.h>
+#include <heddle/simulation/restart_parameters.h>
 #include <heddle/simulation/run_parameters.h>
 #include <heddle/simulation/settle_parameters.h>
 #include <heddle/solver/load_stepping.h>
@@ -43,6 +45,8 @@ namespace Heddle
       Contact::ContactParameters     contact;
       SettleParameters               settle;
       OrderingParameters             ordering;
+      RestartParameters              restart;
+      MatrixParameters               matrix;
       Contributions::SupportList     supports;
       Contributions::LoadList        loads;
       Solver::LoadSteppingParameters load_stepping;

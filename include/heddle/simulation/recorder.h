@@ -7,6 +7,7 @@
 #include <heddle/io/contact_output.h>
 #include <heddle/io/fiber_output.h>
 #include <heddle/io/history.h>
+#include <heddle/io/matrix_output.h>
 #include <heddle/io/summary.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/solver/predictor.h>
@@ -27,6 +28,10 @@ namespace Heddle
     class Recorder
     {
     public:
+      /** Where the end of the stages without loads is kept, in the folder. */
+      static constexpr const char *initial_configuration =
+        "initial_configuration.h5";
+
       /** Where the run stands. */
       struct Place
       {
@@ -68,9 +73,22 @@ namespace Heddle
       void
       add_step(const Place &place, const Solver::NewtonResult &result);
 
-      /** Save the state as it was last accepted. @note Collective. */
+      /**
+       * Save the state as it was last accepted: to the file @p path, or, if it
+       * is empty, to the next one of the checkpoints.
+       * @note Collective.
+       */
       void
-      write_checkpoint(const Place &place);
+      write_checkpoint(const Place &place, const std::string &path = "");
+
+      /**
+       * Go to the initial configuration of @p path, a file or the folder of a
+       * run: the state, penalties of contact and, if it has any, friction.
+       * Throws InputError if it is none, or of other fibers.
+       * @note Collective.
+       */
+      void
+      read_initial_configuration(const std::string &path);
 
       /** Write how it ended. */
       void
@@ -89,6 +107,11 @@ namespace Heddle
       write_pictures(const Place &place, const std::string &group);
 
       void
+      write_matrix(const Place       &place,
+                   const double       time,
+                   const std::string &group);
+
+      void
       measure_fabric(IO::StageSummary &stage, const bool last);
 
       void
@@ -103,10 +126,6 @@ namespace Heddle
       void
       load_summary(const ArchiveReader &archive);
 
-      /** What all contributions report, by name with unit. */
-      std::map<std::string, double>
-      report() const;
-
       Scene                             &scene;
       const Parameters                  &parameters;
       const ParameterFile               &file;
@@ -118,6 +137,7 @@ namespace Heddle
       IO::Checkpoint                     checkpoint;
       std::unique_ptr<IO::FiberOutput>   fibers;
       std::unique_ptr<IO::ContactOutput> contacts;
+      std::unique_ptr<IO::MatrixOutput>  matrix;
 
       /** Wall times of the stage before this run, and of the run before it. */
       IO::WallTime earlier;

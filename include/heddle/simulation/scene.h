@@ -3,11 +3,13 @@
 
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/fiber_elasticity.h>
+#include <heddle/contributions/fiber_friction.h>
 #include <heddle/simulation/parameters.h>
 #include <heddle/simulation/stage.h>
 #include <heddle/system/state.h>
 #include <heddle/textile/weave.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,6 +19,8 @@ namespace Heddle
   namespace Simulation
   {
     using namespace dealii;
+
+    class Matrix;
 
     /**
      * The objects of a computation in the order in which they depend on each
@@ -34,6 +38,8 @@ namespace Heddle
       Scene(const Parameters  &parameters,
             const std::string &parameter_file,
             const MPI_Comm     communicator);
+
+      ~Scene();
 
       const System::FiberSpace &
       space() const
@@ -60,6 +66,35 @@ namespace Heddle
       {
         return fiber_contact.get();
       }
+
+      /** The matrix in which the fibers are embedded, or nullptr yet. */
+      const Matrix *
+      matrix() const
+      {
+        return composite.get();
+      }
+
+      /**
+       * Embed the fibers, as they lie in the state, in the matrix.
+       * @note Collective.
+       */
+      void
+      embed();
+
+      /** The same as they were embedded in the run that wrote @p archive. */
+      void
+      embed_as(const ArchiveReader &archive);
+
+      /**
+       * Whether this stage is the one in whose end the initial configuration
+       * is, from which fibers are loaded.
+       */
+      bool
+      ends_initially(const unsigned int stage) const;
+
+      /** What all contributions report, by name with unit. */
+      std::map<std::string, double>
+      report() const;
 
       const std::vector<Stage> &
       stages() const
@@ -116,6 +151,10 @@ namespace Heddle
       void
       add_load_stage();
 
+      /** The fibers are about to be loaded from where they lie. */
+      void
+      begin_loading();
+
       const Parameters                               &parameters;
       std::unique_ptr<Textile::Weave>                 fabric;
       std::vector<Textile::FiberPath>                 paths;
@@ -124,8 +163,9 @@ namespace Heddle
       std::unique_ptr<System::State>                  configuration;
       std::shared_ptr<Contributions::FiberElasticity> fiber_elasticity;
       std::shared_ptr<Contributions::FiberContact>    fiber_contact;
-      std::shared_ptr<System::Contribution>           fiber_friction;
+      std::shared_ptr<Contributions::FiberFriction>   fiber_friction;
       std::shared_ptr<System::Contribution>           guides;
+      std::unique_ptr<Matrix>                         composite;
       std::vector<Stage>                              all_stages;
     };
   } // namespace Simulation

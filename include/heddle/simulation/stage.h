@@ -31,6 +31,9 @@ namespace Heddle
        */
       bool is_loaded = false;
 
+      /** Prepares the scene when the stage begins, not when it is resumed. */
+      std::function<void()> begin = [] {};
+
       /** Makes the contributions ready for a step to this load factor. */
       std::function<void(const double)> set_up = [](const double) {};
 

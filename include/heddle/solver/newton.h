@@ -99,7 +99,7 @@ namespace Heddle
       }
 
     private:
-      /** Create the linear system, once. */
+      /** Create the linear system for these fields, if it is not there. */
       void
       begin(const System::State &state);
 
@@ -171,6 +171,7 @@ namespace Heddle
       std::unique_ptr<LinearSolver>                linear_solver;
       std::unique_ptr<FiberDamping>                damping;
       unsigned int                                 ghost_version = 0;
+      unsigned int                                 field_version = 0;
       std::vector<System::BlockSystem::Constraint> constraints;
       double                                       softness     = 0.;
       double                                       length_scale = 1.;

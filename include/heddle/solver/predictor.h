@@ -38,10 +38,10 @@ namespace Heddle
 
       /** @note Collective. */
       void
-      save(ArchiveWriter &archive, const System::FiberSpace &space) const;
+      save(ArchiveWriter &archive, const System::State &state) const;
 
       void
-      load(const ArchiveReader &archive, const System::FiberSpace &space);
+      load(const ArchiveReader &archive, const System::State &state);
 
     private:
       struct Point

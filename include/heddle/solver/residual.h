@@ -18,6 +18,7 @@ namespace Heddle
       double largest_force = 0.; /**< unbalanced nodal force [N] */
       double ratio         = 0.; /**< over the typical force [-] */
       double mean_ratio    = 0.; /**< root mean square instead [-] */
+      double matrix_ratio  = 0.; /**< ratio, of the nodes of the matrix [-] */
       double pending       = 0.; /**< prescribed motion left [mm] */
     };
 

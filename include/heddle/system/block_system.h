@@ -69,6 +69,15 @@ namespace Heddle
         void
         couple(const unsigned int n, const unsigned int *blocks);
 
+        /** An owned row with these local blocks. */
+        void
+        add_row(const unsigned int  row,
+                const unsigned int  n,
+                const unsigned int *blocks)
+        {
+          columns[row].insert(columns[row].end(), blocks, blocks + n);
+        }
+
       private:
         std::vector<std::vector<unsigned int>> columns;
         friend class BlockSystem;
@@ -104,6 +113,24 @@ namespace Heddle
           const unsigned int *blocks,
           const double       *residual,
           const double       *tangent);
+
+      /**
+       * Add a row of a constant stiffness to the tangent: the 3x3 blocks
+       * @p values that couple the owned block @p row to @p n local blocks. It
+       * is not a part of the residual.
+       */
+      void
+      add_row(const unsigned int  row,
+              const unsigned int  n,
+              const unsigned int *columns,
+              const Tensor<2, 3> *values);
+
+      /** Add to the residual of an owned block. */
+      void
+      add_force(const unsigned int block, const Tensor<1, 3> &force)
+      {
+        forces[block] += force;
+      }
 
       /** Add @p value to the three diagonal entries of an owned block. */
       void
@@ -177,6 +204,7 @@ namespace Heddle
       std::vector<int>          constraint_of_block;
       std::vector<PetscInt>     global_blocks;
       std::vector<double>       work;
+      std::vector<PetscInt>     row_columns;
 
       Mat matrix    = nullptr;
       Vec rhs       = nullptr;

@@ -222,12 +222,21 @@ namespace Heddle
        * know and cannot compute from the state, and take it back from there.
        */
       virtual void
-      save(ArchiveWriter &) const
+      save(ArchiveWriter &, const State &) const
       {
       }
 
       virtual void
-      load(const ArchiveReader &)
+      load(const ArchiveReader &, const State &)
+      {
+      }
+
+      /**
+       * Take what is useful from the checkpoint of another run, which ended in
+       * the configuration where this one begins.
+       */
+      virtual void
+      load_initial(const ArchiveReader &, const State &)
       {
       }
     };

@@ -175,6 +175,14 @@ namespace Heddle
       std::pair<unsigned int, unsigned int>
       owned_blocks() const;
 
+      /** The end of the blocks of @p rank. */
+      unsigned int
+      end_of_blocks(const unsigned int rank) const
+      {
+        const unsigned int f = rank_begin[rank + 1];
+        return f < fibers.size() ? first_block(f) : n_blocks();
+      }
+
       /** Block of the fiber at which its element @p e begins. */
       unsigned int
       first_block_of_element(const unsigned int e) const

@@ -2,6 +2,8 @@
 #define heddle_system_state_h
 
 #include <heddle/system/fiber_space.h>
+#include <heddle/system/ghost_exchange.h>
+#include <heddle/system/matrix_space.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -14,14 +16,37 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * The configuration of the fibers on this rank: all blocks of its own
-     * fibers, and copies of those of the foreign fibers that come near them
-     * (ghosts). The last accepted configuration is kept beside the current one.
+     * The configuration on this rank: all blocks of its own fibers and, where
+     * there is a matrix, of its own nodes of it; and copies of those of others
+     * that come near them (ghosts). The last accepted configuration is kept
+     * beside the current one.
+     *
+     * In the arrays of blocks own fibers come first, then own nodes of the
+     * matrix, foreign nodes of it, and foreign fibers.
      */
     class State
     {
     public:
       State(const FiberSpace &space);
+
+      /**
+       * From now on there is a matrix, or another one, at rest in its reference
+       * configuration. This rank holds copies of these foreign nodes, in
+       * ascending order, and, whatever set_ghost_fibers() says, of these
+       * foreign fibers.
+       * @note Collective.
+       */
+      void
+      set_matrix(const MatrixSpace               *matrix,
+                 const std::vector<unsigned int> &ghost_nodes,
+                 const std::vector<unsigned int> &linked_fibers);
+
+      /** The matrix, or nullptr. */
+      const MatrixSpace *
+      matrix() const
+      {
+        return matrix_space;
+      }
 
       /** Blocks of fiber @p f, owned or ghost. */
       Tensor<1, 3> *
@@ -50,6 +75,23 @@ namespace Heddle
         return local_begin[f];
       }
 
+      bool
+      has_matrix_node(const unsigned int node) const;
+
+      /** Position of the block of @p node of the matrix, owned or ghost. */
+      unsigned int
+      matrix_block(const unsigned int node) const;
+
+      /** Reference place of the node of the matrix with this local block. */
+      const Point<3> &
+      matrix_reference(const unsigned int block) const
+      {
+        return matrix_space->reference(block < owned_blocks
+                                         ? block - owned_fiber_blocks +
+                                             matrix_space->owned_nodes().first
+                                         : ghost_nodes[block - owned_blocks]);
+      }
+
       /** Number of blocks held here; the owned ones come first. */
       unsigned int
       n_local_blocks() const
@@ -61,6 +103,35 @@ namespace Heddle
       n_owned_blocks() const
       {
         return owned_blocks;
+      }
+
+      /** Of the owned blocks those of fibers; they come before the others. */
+      unsigned int
+      n_owned_fiber_blocks() const
+      {
+        return owned_fiber_blocks;
+      }
+
+      /** Unknowns of the whole scene, over all ranks. */
+      unsigned int
+      n_dofs() const
+      {
+        return space.n_dofs() +
+               (matrix_space ? 3 * matrix_space->n_nodes() : 0);
+      }
+
+      /**
+       * Numbers of the local blocks in the whole system, where the blocks of a
+       * rank follow those of the ranks before it.
+       */
+      std::vector<int>
+      global_blocks() const;
+
+      /** Grows whenever fields are added: then the system is another one. */
+      unsigned int
+      field_version() const
+      {
+        return fields;
       }
 
       /** Grows whenever the ghosts, and with them local numbers, change. */
@@ -78,7 +149,8 @@ namespace Heddle
       }
 
       /**
-       * From now on hold copies of these foreign fibers, and fetch them.
+       * From now on hold copies of these foreign fibers, and of those that are
+       * linked to own nodes of the matrix, and fetch them.
        * @note Collective.
        */
       void
@@ -132,15 +204,25 @@ namespace Heddle
     private:
       static constexpr unsigned int absent = static_cast<unsigned int>(-1);
 
+      /** Own fibers, all nodes of the matrix: what precedes ghost fibers. */
+      unsigned int
+      n_fixed_blocks() const
+      {
+        return owned_blocks + ghost_nodes.size();
+      }
+
+      const MatrixSpace        *matrix_space = nullptr;
+      unsigned int              owned_fiber_blocks;
       unsigned int              owned_blocks;
       unsigned int              version = 0;
+      unsigned int              fields  = 0;
       std::vector<Tensor<1, 3>> blocks;
       std::vector<Tensor<1, 3>> accepted_blocks;
       std::vector<unsigned int> local_begin;
       std::vector<unsigned int> ghosts;
-
-      /** For each rank: fibers sent to it, and fibers received from it. */
-      std::vector<std::vector<unsigned int>> sent, received;
+      std::vector<unsigned int> ghost_nodes;
+      std::vector<unsigned int> linked_fibers;
+      GhostExchange             fiber_exchange, node_exchange;
     };
   } // namespace System
 } // namespace Heddle

@@ -1,0 +1,117 @@
+#ifndef heddle_contributions_fiber_matrix_coupling_h
+#define heddle_contributions_fiber_matrix_coupling_h
+
+#include <heddle/coupling/link.h>
+#include <heddle/system/contribution.h>
+
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <array>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /** A particle of a fiber that was found in a cell of the matrix. */
+    struct EmbeddedPoint
+    {
+      unsigned int fiber;
+
+      /** Its place follows from these blocks of the fiber. */
+      System::MaterialPoint particle;
+
+      unsigned int        cell;
+      std::vector<double> shapes; /**< of the nodes of the cell there [-] */
+      double              length; /**< of the fiber that it stands for [mm] */
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &fiber &particle.blocks &particle.values &cell &shapes &length;
+      }
+    };
+
+    /**
+     * Elastic links between particles of fibers and those of the matrix at the
+     * same place: coupling elements (Durville, 2007). Their stiffness is
+     * constant, that of the matrix times the length of fiber that a link stands
+     * for, so that the force per length does not depend on the mesh of the
+     * fiber.
+     */
+    class FiberMatrixCoupling : public System::Contribution
+    {
+    public:
+      /** For output: where a link is, and its force on the fiber. */
+      struct Point
+      {
+        unsigned int fiber;
+        Tensor<1, 3> position; /**< [mm] */
+        Tensor<1, 3> force;    /**< [N] */
+        double       length;   /**< of fiber [mm] */
+      };
+
+      /**
+       * Links have no force in the configuration of @p state, which holds all
+       * blocks of the @p points. @p stiffness is per length of fiber [MPa].
+       */
+      FiberMatrixCoupling(const System::MatrixSpace        &matrix,
+                          const System::State              &state,
+                          const std::vector<EmbeddedPoint> &points,
+                          const double                      stiffness);
+
+      std::string
+      name() const override
+      {
+        return "fiber-matrix coupling";
+      }
+
+      void
+      add_pattern(const System::State          &state,
+                  System::BlockSystem::Pattern &pattern) override;
+
+      void
+      assemble(const System::State &state,
+               System::BlockSystem &system) override;
+
+      void
+      report(const System::State           &state,
+             std::map<std::string, double> &values) const override;
+
+      /** The links of the owned fibers. */
+      std::vector<Point>
+      points(const System::State &state) const;
+
+    private:
+      struct EmbeddedLink
+      {
+        unsigned int                 fiber;
+        unsigned int                 n_of_fiber;
+        double                       length;
+        std::array<unsigned int, 4>  fiber_blocks;
+        std::array<unsigned int, 27> matrix_blocks;
+        Coupling::Link               link;
+      };
+
+      /** Local blocks of a link, and their places, for the kernel. */
+      struct Places
+      {
+        std::array<unsigned int, Coupling::max_weights> blocks;
+        std::array<Tensor<1, 3>, Coupling::max_weights> places;
+      };
+
+      static void
+      find_places(const EmbeddedLink  &embedded,
+                  const System::State &state,
+                  Places              &places);
+
+      std::vector<EmbeddedLink> links;
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,129 @@
+#ifndef heddle_simulation_matrix_h
+#define heddle_simulation_matrix_h
+
+#include <heddle/contributions/fiber_matrix_coupling.h>
+#include <heddle/contributions/matrix_elasticity.h>
+#include <heddle/simulation/matrix_parameters.h>
+#include <heddle/system/state.h>
+#include <heddle/textile/matrix_mesh.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    using namespace dealii;
+
+    /**
+     * The matrix around fibers: its mesh, made for the configuration in which
+     * they are embedded, its place in the state, and what acts in it.
+     */
+    class Matrix
+    {
+    public:
+      /** What is doubled, and how much there is of all. */
+      struct Sizes
+      {
+        unsigned int n_cells    = 0;
+        unsigned int n_left_out = 0; /**< cells deep inside of yarns */
+        unsigned int n_dropped  = 0; /**< cells that nothing holds */
+        unsigned int n_nodes    = 0;
+        unsigned int n_links    = 0;
+        double       volume     = 0.; /**< of the cells [mm^3] */
+        double       doubled    = 0.; /**< of fibers in them [mm^3] */
+      };
+
+      /**
+       * Embed the fibers as they lie in @p state, and add the matrix to it.
+       * Throws InputError if there is no sound mesh.
+       * @note Collective.
+       */
+      Matrix(const MatrixParameters &parameters, System::State &state);
+
+      /** Write where the fibers were embedded, so that it can be done again. */
+      void
+      save(ArchiveWriter &archive, const System::State &state) const;
+
+      static bool
+      is_in(const ArchiveReader &archive);
+
+      /** Lay the fibers of @p state to where they were embedded. */
+      static void
+      load(const ArchiveReader &archive, System::State &state);
+
+      /** One line for the log. */
+      std::string
+      in_words() const;
+
+      const std::shared_ptr<Contributions::MatrixElasticity> &
+      elasticity() const
+      {
+        return matrix_elasticity;
+      }
+
+      const std::shared_ptr<Contributions::FiberMatrixCoupling> &
+      coupling() const
+      {
+        return fiber_coupling;
+      }
+
+      const System::MatrixSpace &
+      space() const
+      {
+        return *matrix_space;
+      }
+
+      const Sizes &
+      sizes() const
+      {
+        return counted;
+      }
+
+    private:
+      using Points = std::vector<Contributions::EmbeddedPoint>;
+
+      void
+      make_mesh(const System::State &state);
+
+      /** Rank of each cell: near the fibers that it owns. */
+      std::vector<unsigned int>
+      distribute(const System::State &state) const;
+
+      /** Particles of own fibers that lie in cells. */
+      Points
+      embed(const System::State &state) const;
+
+      void
+      add_point(const System::State         &state,
+                const unsigned int           fiber,
+                const System::MaterialPoint &particle,
+                const double                 length,
+                Points                      &points) const;
+
+      /** Own points, and those of others in cells with own nodes. */
+      Points
+      exchange(const Points &own) const;
+
+      void
+      add_to(System::State &state, const Points &points) const;
+
+      /** Volume of fibers in each cell, over that of the cell. */
+      std::vector<double>
+      find_doubled_parts();
+
+      const MatrixParameters                             &parameters;
+      std::vector<Tensor<1, 3>>                           embedded_at;
+      std::vector<Textile::FiberAxis>                     axes;
+      std::unique_ptr<Textile::MatrixMesh>                mesh;
+      std::unique_ptr<System::MatrixSpace>                matrix_space;
+      std::shared_ptr<Contributions::MatrixElasticity>    matrix_elasticity;
+      std::shared_ptr<Contributions::FiberMatrixCoupling> fiber_coupling;
+      Sizes                                               counted;
+    };
+  } // namespace Simulation
+} // namespace Heddle
+
+#endif

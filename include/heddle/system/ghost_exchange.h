@@ -1,0 +1,55 @@
+#ifndef heddle_system_ghost_exchange_h
+#define heddle_system_ghost_exchange_h
+
+#include <deal.II/base/tensor.h>
+
+#include <mpi.h>
+
+#include <map>
+#include <vector>
+
+namespace Heddle
+{
+  namespace System
+  {
+    using namespace dealii;
+
+    /** Consecutive blocks of an array. */
+    struct Piece
+    {
+      unsigned int begin;
+      unsigned int n;
+    };
+
+    /**
+     * Brings the values of blocks from the ranks that own them to those that
+     * hold copies.
+     */
+    class GhostExchange
+    {
+    public:
+      GhostExchange(const MPI_Comm communicator)
+        : communicator(communicator)
+      {
+      }
+
+      /** By rank: what it is sent, in the order in which it expects that. */
+      std::map<unsigned int, std::vector<Piece>> sent;
+
+      /** By rank: where in the array that which comes from it goes. */
+      std::map<unsigned int, Piece> received;
+
+      /**
+       * Fetch the values of all copies.
+       * @note Collective.
+       */
+      void
+      update(std::vector<Tensor<1, 3>> &values) const;
+
+    private:
+      const MPI_Comm communicator;
+    };
+  } // namespace System
+} // namespace Heddle
+
+#endif

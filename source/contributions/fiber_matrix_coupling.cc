@@ -1,0 +1,153 @@
+#include <heddle/base/reduce.h>
+#include <heddle/contributions/fiber_matrix_coupling.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    FiberMatrixCoupling::FiberMatrixCoupling(
+      const System::MatrixSpace        &matrix,
+      const System::State              &state,
+      const std::vector<EmbeddedPoint> &points,
+      const double                      stiffness)
+    {
+      Places places;
+      for (const EmbeddedPoint &point : points)
+        {
+          EmbeddedLink embedded   = {};
+          embedded.fiber          = point.fiber;
+          embedded.length         = point.length;
+          embedded.link.stiffness = stiffness * point.length;
+
+          // A node is one block: those of no weight are left out.
+          unsigned int &n = embedded.link.n;
+          for (unsigned int i = 0; i < point.particle.blocks.size(); ++i)
+            if (point.particle.values[i] != 0.)
+              {
+                embedded.fiber_blocks[n]   = point.particle.blocks[i];
+                embedded.link.weights[n++] = point.particle.values[i];
+              }
+          embedded.n_of_fiber = n;
+          for (unsigned int a = 0; a < point.shapes.size(); ++a)
+            {
+              embedded.matrix_blocks[a] =
+                state.matrix_block(matrix.cell(point.cell)[a]);
+              embedded.link.weights[n++] = -point.shapes[a];
+            }
+          find_places(embedded, state, places);
+          embedded.link.offset = embedded.link.stretch(places.places.data());
+          links.push_back(embedded);
+        }
+    }
+
+
+
+    void
+    FiberMatrixCoupling::find_places(const EmbeddedLink  &embedded,
+                                     const System::State &state,
+                                     Places              &places)
+    {
+      const unsigned int n_of_fiber = embedded.n_of_fiber;
+      for (unsigned int a = 0; a < embedded.link.n; ++a)
+        {
+          places.blocks[a] =
+            a < n_of_fiber
+              ? state.local_block(embedded.fiber) + embedded.fiber_blocks[a]
+              : embedded.matrix_blocks[a - n_of_fiber];
+          places.places[a] = state.current()[places.blocks[a]];
+        }
+    }
+
+
+
+    void
+    FiberMatrixCoupling::add_pattern(const System::State          &state,
+                                     System::BlockSystem::Pattern &pattern)
+    {
+      Places places;
+      for (const EmbeddedLink &embedded : links)
+        {
+          find_places(embedded, state, places);
+          pattern.couple(embedded.link.n, places.blocks.data());
+        }
+    }
+
+
+
+    void
+    FiberMatrixCoupling::assemble(const System::State &state,
+                                  System::BlockSystem &system)
+    {
+      constexpr unsigned int       max_dofs = 3 * Coupling::max_weights;
+      std::array<double, max_dofs> residual;
+      std::array<double, max_dofs * max_dofs> tangent;
+      Places                                  places;
+      for (const EmbeddedLink &embedded : links)
+        {
+          find_places(embedded, state, places);
+          embedded.link.assemble(places.places.data(),
+                                 residual.data(),
+                                 system.wants_tangent() ? tangent.data()
+                                                        : nullptr);
+          system.add(embedded.link.n,
+                     places.blocks.data(),
+                     residual.data(),
+                     tangent.data());
+        }
+    }
+
+
+
+    void
+    FiberMatrixCoupling::report(const System::State           &state,
+                                std::map<std::string, double> &values) const
+    {
+      std::array<double, 2> sums    = {};
+      std::array<double, 1> largest = {};
+      for (const EmbeddedLink &embedded : links)
+        if (state.space.owns(embedded.fiber))
+          {
+            Places places;
+            find_places(embedded, state, places);
+            const double stretch =
+              embedded.link.stretch(places.places.data()).norm();
+            sums[0] += 0.5 * embedded.link.stiffness * stretch * stretch;
+            sums[1] += 1.;
+            largest[0] = std::max(
+              largest[0], embedded.link.stiffness * stretch / embedded.length);
+          }
+      sum_over_ranks(sums, state.space.communicator());
+      max_over_ranks(largest, state.space.communicator());
+      values["coupling_energy[N*mm]"]                   = sums[0];
+      values["coupling_elements[-]"]                    = sums[1];
+      values["largest_coupling_force_per_length[N/mm]"] = largest[0];
+    }
+
+
+
+    std::vector<FiberMatrixCoupling::Point>
+    FiberMatrixCoupling::points(const System::State &state) const
+    {
+      std::vector<Point> result;
+      for (const EmbeddedLink &embedded : links)
+        if (state.space.owns(embedded.fiber))
+          {
+            Places places;
+            find_places(embedded, state, places);
+            Tensor<1, 3> position;
+            for (unsigned int a = 0; a < embedded.n_of_fiber; ++a)
+              position += embedded.link.weights[a] * places.places[a];
+            result.push_back({embedded.fiber,
+                              position,
+                              embedded.link.force(places.places.data()),
+                              embedded.length});
+          }
+      return result;
+    }
+  } // namespace Contributions
+} // namespace Heddle

@@ -1,0 +1,342 @@
+#include <heddle/post/centerline.h>
+#include <heddle/simulation/matrix.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <map>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** Straight pieces between two nodes of a fiber. */
+      constexpr unsigned int n_pieces_of_axis = 4;
+
+      /** Of a cell that is full of fibers this part counts nevertheless. */
+      constexpr double least_part = 0.05;
+
+      const std::string embedding = "matrix/embedding";
+    } // namespace
+
+
+
+    Matrix::Matrix(const MatrixParameters &parameters, System::State &state)
+      : parameters(parameters)
+      , embedded_at(state.current().begin(),
+                    state.current().begin() + state.n_owned_fiber_blocks())
+    {
+      make_mesh(state);
+      const Points points = exchange(embed(state));
+      add_to(state, points);
+
+      std::vector<double> parts = find_doubled_parts();
+      for (double &part : parts)
+        part = parameters.subtract_fiber_volume
+                 ? std::max(1. - part, least_part)
+                 : 1.;
+      matrix_elasticity = std::make_shared<Contributions::MatrixElasticity>(
+        *matrix_space,
+        parameters.material.material(),
+        parameters.material.has_mean_dilatation(parameters.degree),
+        parts);
+      fiber_coupling = std::make_shared<Contributions::FiberMatrixCoupling>(
+        *matrix_space,
+        state,
+        points,
+        parameters.stiffness_factor * parameters.material.youngs_modulus);
+
+      unsigned int n_own = 0;
+      for (const auto &point : points)
+        n_own += state.space.owns(point.fiber) ? 1 : 0;
+      counted.n_links = Utilities::MPI::sum(n_own, state.space.communicator());
+      counted.n_nodes = matrix_space->n_nodes();
+    }
+
+
+
+    void
+    Matrix::save(ArchiveWriter &archive, const System::State &state) const
+    {
+      std::vector<double> values;
+      for (const Tensor<1, 3> &block : embedded_at)
+        values.insert(values.end(), block.begin_raw(), block.end_raw());
+      archive.write(embedding,
+                    state.space.owned_blocks().first,
+                    state.space.n_blocks(),
+                    values,
+                    3);
+    }
+
+
+
+    bool
+    Matrix::is_in(const ArchiveReader &archive)
+    {
+      return archive.has(embedding);
+    }
+
+
+
+    void
+    Matrix::load(const ArchiveReader &archive, System::State &state)
+    {
+      const std::vector<double> values =
+        archive.read(embedding,
+                     state.space.owned_blocks().first,
+                     state.n_owned_fiber_blocks(),
+                     3);
+      std::vector<Tensor<1, 3>> blocks = state.current();
+      for (unsigned int k = 0; k < values.size(); ++k)
+        blocks[k / 3][k % 3] = values[k];
+      state.set(blocks);
+      state.update_ghosts();
+    }
+
+
+
+    std::string
+    Matrix::in_words() const
+    {
+      std::ostringstream text;
+      text << "Matrix: " << counted.n_cells << " cells, " << counted.n_nodes
+           << " nodes, " << counted.n_links << " coupling elements; "
+           << counted.n_left_out << " cells inside yarns are left out, "
+           << counted.n_dropped << " that nothing holds; volume "
+           << std::setprecision(4) << counted.volume << " mm^3, of which "
+           << counted.doubled << " is also fibers"
+           << (parameters.subtract_fiber_volume ? ", and subtracted" : "");
+      return text.str();
+    }
+
+
+
+    void
+    Matrix::make_mesh(const System::State &state)
+    {
+      const System::FiberSpace &space = state.space;
+      const auto                lines = Utilities::MPI::broadcast(
+        space.communicator(),
+        Post::gather_centerlines(state, n_pieces_of_axis));
+      std::vector<Tensor<1, 3>> nodes;
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        {
+          axes.push_back(
+            {lines[f], space.fiber(f).radius, space.fiber(f).yarn_id});
+          for (unsigned int i = 0; i < lines[f].size(); i += n_pieces_of_axis)
+            nodes.push_back(lines[f][i]);
+        }
+      mesh = std::make_unique<Textile::MatrixMesh>(
+        parameters.mesh.description(), axes, nodes);
+      counted.n_cells    = mesh->cells().size();
+      counted.n_left_out = mesh->n_left_out();
+      counted.n_dropped  = mesh->dropped().n_cells;
+      counted.volume     = mesh->volume();
+
+      System::HexahedralMesh hexahedra;
+      hexahedra.vertices = mesh->vertices();
+      for (const auto &cell : mesh->cells())
+        hexahedra.cells.push_back(cell.vertices);
+      for (const auto &face : mesh->boundary())
+        {
+          hexahedra.faces.emplace_back();
+          hexahedra.faces.back().side = face.side;
+          for (unsigned int v = 0; v < 4; ++v)
+            hexahedra.faces.back().vertices[v] =
+              mesh->cells()[face.cell]
+                .vertices[GeometryInfo<3>::face_to_cell_vertices(face.face, v)];
+        }
+      hexahedra.ranks = distribute(state);
+      matrix_space    = std::make_unique<System::MatrixSpace>(
+        space.communicator(), hexahedra, parameters.degree);
+    }
+
+
+
+    std::vector<unsigned int>
+    Matrix::distribute(const System::State &state) const
+    {
+      const auto n_ranks =
+        Utilities::MPI::n_mpi_processes(state.space.communicator());
+      std::vector<unsigned int> ranks(mesh->cells().size(), 0);
+      if (n_ranks == 1)
+        return ranks;
+
+      // Fibers are numbered rank by rank: cells in the order of the fibers next
+      // to them are cut into equal parts.
+      std::vector<Point<3>>     places;
+      std::vector<unsigned int> fibers;
+      for (unsigned int f = 0; f < axes.size(); ++f)
+        for (unsigned int i = 0; i < axes[f].points.size();
+             i += n_pieces_of_axis)
+          {
+            places.emplace_back(axes[f].points[i]);
+            fibers.push_back(f);
+          }
+      const auto tree = pack_rtree_of_indices(places);
+      std::vector<std::pair<unsigned int, unsigned int>> order;
+      for (unsigned int c = 0; c < ranks.size(); ++c)
+        {
+          Point<3> center;
+          for (const unsigned int v : mesh->cells()[c].vertices)
+            center += 0.125 * Tensor<1, 3>(mesh->vertices()[v]);
+          for (const auto nearest :
+               tree | boost::geometry::index::adaptors::queried(
+                        boost::geometry::index::nearest(center, 1)))
+            order.emplace_back(fibers[nearest], c);
+        }
+      std::sort(order.begin(), order.end());
+      for (unsigned int i = 0; i < order.size(); ++i)
+        ranks[order[i].second] =
+          static_cast<unsigned long>(i) * n_ranks / order.size();
+      return ranks;
+    }
+
+
+
+    void
+    Matrix::add_point(const System::State         &state,
+                      const unsigned int           fiber,
+                      const System::MaterialPoint &particle,
+                      const double                 length,
+                      Points                      &points) const
+    {
+      Tensor<1, 3> place;
+      for (unsigned int i = 0; i < particle.blocks.size(); ++i)
+        place += particle.values[i] * state.fiber(fiber)[particle.blocks[i]];
+      const Textile::PlaceInCell found = mesh->locate(place);
+      if (found.cell == Textile::no_cell)
+        return;
+      points.push_back({fiber, particle, found.cell, {}, length});
+      const FiniteElement<3> &shapes = matrix_space->shape_functions();
+      for (unsigned int a = 0; a < shapes.n_dofs_per_cell(); ++a)
+        points.back().shapes.push_back(shapes.shape_value(a, found.unit));
+    }
+
+
+
+    Matrix::Points
+    Matrix::embed(const System::State &state) const
+    {
+      const System::FiberSpace &space = state.space;
+      const auto                owned = space.owned_fibers();
+      Points                    points;
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          const double      *s = space.node_positions(f);
+          const unsigned int n = space.fiber(f).n_nodes;
+          if (parameters.points_per_element == 0)
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                const System::MaterialPoint node = {
+                  {{i * space.n_blocks_per_node(), 0, 0, 0}},
+                  {{1., 0., 0., 0.}}};
+                add_point(state,
+                          f,
+                          node,
+                          0.5 *
+                            (s[std::min(i + 1, n - 1)] - s[i > 0 ? i - 1 : 0]),
+                          points);
+              }
+          else
+            {
+              const QGauss<1> gauss(parameters.points_per_element);
+              for (unsigned int e = 0; e < space.fiber(f).n_elements; ++e)
+                {
+                  const double h     = space.element_length(f, e),
+                               begin = s[e * (space.element().n_nodes() - 1)];
+                  for (unsigned int q = 0; q < gauss.size(); ++q)
+                    add_point(state,
+                              f,
+                              space.locate(f, begin + h * gauss.point(q)[0]),
+                              h * gauss.weight(q),
+                              points);
+                }
+            }
+        }
+      return points;
+    }
+
+
+
+    Matrix::Points
+    Matrix::exchange(const Points &own) const
+    {
+      const MPI_Comm     communicator = matrix_space->communicator();
+      const unsigned int me = Utilities::MPI::this_mpi_process(communicator);
+      std::map<unsigned int, Points> to_send;
+      for (const auto &point : own)
+        {
+          std::set<unsigned int> ranks;
+          for (unsigned int a = 0; a < matrix_space->n_nodes_per_cell(); ++a)
+            ranks.insert(
+              matrix_space->owner(matrix_space->cell(point.cell)[a]));
+          for (const unsigned int rank : ranks)
+            if (rank != me)
+              to_send[rank].push_back(point);
+        }
+      Points all = own;
+      for (const auto &received :
+           Utilities::MPI::some_to_some(communicator, to_send))
+        all.insert(all.end(), received.second.begin(), received.second.end());
+      return all;
+    }
+
+
+
+    void
+    Matrix::add_to(System::State &state, const Points &points) const
+    {
+      std::set<unsigned int> nodes, fibers;
+      const auto             add_cell = [&](const unsigned int c) {
+        for (unsigned int a = 0; a < matrix_space->n_nodes_per_cell(); ++a)
+          if (!matrix_space->owns(matrix_space->cell(c)[a]))
+            nodes.insert(matrix_space->cell(c)[a]);
+      };
+      for (const unsigned int c : matrix_space->near_cells())
+        add_cell(c);
+      for (const auto &point : points)
+        {
+          add_cell(point.cell);
+          if (!state.space.owns(point.fiber))
+            fibers.insert(point.fiber);
+        }
+      state.set_matrix(matrix_space.get(),
+                       {nodes.begin(), nodes.end()},
+                       {fibers.begin(), fibers.end()});
+    }
+
+
+
+    std::vector<double>
+    Matrix::find_doubled_parts()
+    {
+      std::vector<double> volumes(mesh->cells().size(), 0.);
+      for (const Textile::FiberAxis &axis : axes)
+        for (unsigned int i = 0; i + 1 < axis.points.size(); ++i)
+          {
+            const Tensor<1, 3> piece = axis.points[i + 1] - axis.points[i];
+            const auto found = mesh->locate(axis.points[i] + 0.5 * piece);
+            if (found.cell == Textile::no_cell)
+              continue;
+            const double volume =
+              numbers::PI * axis.radius * axis.radius * piece.norm();
+            counted.doubled += volume;
+            volumes[found.cell] += volume;
+          }
+      for (unsigned int c = 0; c < volumes.size(); ++c)
+        volumes[c] /= mesh->volume(c);
+      return volumes;
+    }
+  } // namespace Simulation
+} // namespace Heddle

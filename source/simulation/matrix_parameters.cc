@@ -1,0 +1,41 @@
+#include <heddle/simulation/matrix_parameters.h>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    MatrixParameters::MatrixParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      add_parameter("Enabled",
+                    enabled,
+                    "Whether the fibers are embedded in an elastic matrix when "
+                    "they are loaded. If not, no other entry of this section "
+                    "is active [-].");
+      mesh.add_parameters(*this);
+      add_parameter("Degree",
+                    degree,
+                    "Polynomial degree of the hexahedra [-].",
+                    prm,
+                    Patterns::Integer(1, 2));
+      material.add_parameters(*this);
+      add_parameter("Coupling stiffness factor",
+                    stiffness_factor,
+                    "Stiffness of the links between fibers and matrix per "
+                    "length of fiber, in units of the matrix' modulus [-].",
+                    prm,
+                    Patterns::Double(0.));
+      add_parameter("Coupling points per element",
+                    points_per_element,
+                    "Links in each element of a fiber; 0: one in each node "
+                    "[-].",
+                    prm,
+                    Patterns::Integer(0, 5));
+      add_parameter("Subtract fiber volume",
+                    subtract_fiber_volume,
+                    "Whether cells of the matrix count without the volume of "
+                    "the fibers in them. If not, matrix and fibers are both "
+                    "there [-].");
+    }
+  } // namespace Simulation
+} // namespace Heddle

@@ -1,0 +1,23 @@
+#include <heddle/simulation/restart_parameters.h>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    RestartParameters::RestartParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      add_parameter("Initial configuration",
+                    initial_configuration,
+                    "Folder of results, or file, from which the initial "
+                    "configuration of a weave is taken instead of being "
+                    "computed; ranks, friction, matrix and loads may be others "
+                    "there. Empty: compute it.");
+      add_parameter("Stress free",
+                    stress_free,
+                    "Whether fibers are free of stress, and of contact forces, "
+                    "in the initial configuration of a weave from which they "
+                    "are loaded. If not, they keep what they have [-].");
+    }
+  } // namespace Simulation
+} // namespace Heddle
