@@ -12,7 +12,6 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <tuple>
 
 namespace Heddle
 {

@@ -24,7 +24,7 @@ namespace Heddle
     class Matrix
     {
     public:
-      /** What is doubled, and how much there is of all. */
+      /** How much there is of all, over all ranks. */
       struct Sizes
       {
         unsigned int n_cells    = 0;

@@ -86,7 +86,7 @@ namespace Heddle
       embed_as(const ArchiveReader &archive);
 
       /**
-       * Whether this stage is the one in whose end the initial configuration
+       * Whether this stage is the one at whose end the initial configuration
        * is, from which fibers are loaded.
        */
       bool
