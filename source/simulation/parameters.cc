@@ -44,6 +44,13 @@ namespace Heddle
                 ": Restart/Initial configuration is given, but nothing holds "
                 "the fibers, so there is nothing to compute; declare a section "
                 "\"Supports/Support 1\".");
+      require(!restart.stress_free || fiber.element_name == "director",
+              file.name() +
+                ": Restart/Stress free is true, but Fiber/Element is \"" +
+                fiber.element_name +
+                "\", which knows no torsion: a curved fiber that is free of "
+                "stress would turn in its place without resistance; choose "
+                "\"director\".");
       require(!supports.empty() || !matrix.enabled,
               file.name() +
                 ": Matrix/Enabled is true, but nothing holds fibers or matrix, "

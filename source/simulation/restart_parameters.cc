@@ -17,7 +17,9 @@ namespace Heddle
                     stress_free,
                     "Whether fibers are free of stress, and of contact forces, "
                     "in the initial configuration of a weave from which they "
-                    "are loaded. If not, they keep what they have [-].");
+                    "are loaded. If not, they keep what they have. Needs the "
+                    "element 'director': without torsion a curved fiber that "
+                    "is free of stress turns in its place [-].");
     }
   } // namespace Simulation
 } // namespace Heddle
