@@ -1,0 +1,100 @@
+"""The columns of history.csv over the steps."""
+
+import csv
+import os
+import sys
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from plotting import PlotError
+from plotting.figures import save
+
+
+def read_history(directory):
+    """Return {name: (unit, values)} of history.csv, empty columns left out."""
+    path = os.path.join(directory, "history.csv")
+    if not os.path.isfile(path):
+        return None
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    if len(rows) < 2:
+        return None
+    columns = {}
+    for i, head in enumerate(rows[0]):
+        name, _, unit = head.partition("[")
+        try:
+            values = np.array([float(row[i]) if row[i] else np.nan
+                               for row in rows[1:]])
+        except (ValueError, IndexError):
+            raise PlotError(f"'{path}' is no table of numbers in the column "
+                            f"'{head}'.") from None
+        if not np.isnan(values).all():
+            columns[name] = (unit.rstrip("]"), values)
+    return columns
+
+
+def panels_of(columns):
+    """Group the columns: what is compared goes into one panel."""
+    groups = {"Residual": [], "Penetration over radius": [], "Contacts": [],
+              "Penalty": [], "Energy": [], "Newton iterations": []}
+    for name in columns:
+        if name in ("step", "stage", "load_factor"):
+            continue
+        if "residual" in name:
+            group = "Residual"
+        elif "penetration" in name:
+            group = "Penetration over radius"
+        elif "contact_elements" in name:
+            group = "Contacts"
+        elif "penalty" in name:
+            group = "Penalty"
+        elif "energy" in name:
+            group = "Energy"
+        elif name == "newton_iterations":
+            group = "Newton iterations"
+        else:
+            group = name.replace("_", " ").capitalize()
+        groups.setdefault(group, []).append(name)
+    return {group: names for group, names in groups.items() if names}
+
+
+def plot_history(directory, folder):
+    columns = read_history(directory)
+    if columns is None or "step" not in columns:
+        print("scripts/plot: no history.csv with rows, so no history.png",
+              file=sys.stderr)
+        return
+    groups = panels_of(columns)
+    step = columns["step"][1]
+    stage = columns.get("stage", ("", np.zeros(len(step))))[1]
+
+    n_columns = min(3, len(groups))
+    n_rows = -(-len(groups) // n_columns)
+    figure, panels = plt.subplots(n_rows, n_columns, squeeze=False,
+                                  figsize=(4.4 * n_columns, 3.1 * n_rows),
+                                  layout="constrained")
+    for axes in panels.flat[len(groups):]:
+        axes.set_axis_off()
+    marker = "o" if len(step) <= 40 else None
+    for axes, (title, names) in zip(panels.flat, groups.items()):
+        for name in names:
+            axes.plot(step, columns[name][1], marker=marker, markersize=3,
+                      label=name.replace("_", " "))
+        values = np.concatenate([columns[name][1] for name in names])
+        values = values[~np.isnan(values)]
+        # Decades are for what spans some.
+        if (values > 0).all() and values.max() > 30. * values.min():
+            axes.set_yscale("log")
+        elif (values >= 0).all():
+            axes.set_ylim(bottom=0)
+        for change in np.flatnonzero(np.diff(stage)):
+            axes.axvline(0.5 * (step[change] + step[change + 1]),
+                         color="0.75", linewidth=0.8, zorder=0)
+        unit = columns[names[0]][0]
+        axes.set_title(title + (f" [{unit}]" if unit != "-" else ""))
+        axes.set_xlabel("step")
+        axes.xaxis.get_major_locator().set_params(integer=True)
+        if len(names) > 1:
+            axes.legend(frameon=False, fontsize=9)
+    save(figure, folder, "history.png")
