@@ -3,6 +3,7 @@
 #include <heddle/base/table.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,9 +93,19 @@ namespace Heddle
     std::istringstream in(csv);
     std::string        line;
     std::getline(in, line);
+    const auto found  = Utilities::split_string_list(line, ',');
+    const auto wanted = Utilities::split_string_list(head(), ',');
+    const auto differ =
+      std::mismatch(found.begin(), found.end(), wanted.begin(), wanted.end());
+    const auto name_or_none = [](const auto column, const auto end) {
+      return column == end ? "no more column"
+                           : "the column \"" + *column + "\"";
+    };
     require(line == head(),
-            "A table has the columns \"" + line + "\", not \"" + head() +
-              "\": it is not one of this scene.");
+            "A table has " + name_or_none(differ.first, found.end()) +
+              " where this scene has " +
+              name_or_none(differ.second, wanted.end()) +
+              ": it was written for another scene.");
 
     rows.clear();
     while (std::getline(in, line))

@@ -184,7 +184,7 @@ namespace Heddle
                  ExcMessage("A cell of the matrix is inside out."));
           system.add(n, cell.blocks.data(), residual.data(), tangent.data());
         }
-      ++assemblies;
+      assemblies += system.wants_tangent() ? 1 : 0;
     }
 
 

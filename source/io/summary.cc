@@ -63,6 +63,20 @@ namespace Heddle
                         {"output", stage.wall_time.output}};
           return json;
         }
+
+
+
+        void
+        add(const MatrixSummary &matrix, Json &json)
+        {
+          json["n_matrix_cells"]      = matrix.n_cells;
+          json["n_matrix_nodes"]      = matrix.n_nodes;
+          json["n_links"]             = matrix.n_links;
+          json["n_matrix_assemblies"] = matrix.n_assemblies;
+          json["matrix_volume_mm3"]   = matrix.volume;
+          json["doubled_volume_mm3"]  = matrix.doubled_volume;
+          json["doubled_part"]        = matrix.doubled_volume / matrix.volume;
+        }
       } // namespace Summary
     }   // namespace internal
 
@@ -80,6 +94,8 @@ namespace Heddle
       json["n_dofs"]        = n_dofs;
       json["ranks"]         = ranks;
       json["contributions"] = contributions;
+      if (matrix)
+        internal::Summary::add(*matrix, json);
 
       json["stages"] = internal::Summary::Json::array();
       for (const auto &stage : stages)

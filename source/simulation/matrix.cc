@@ -1,3 +1,4 @@
+#include <heddle/base/exceptions.h>
 #include <heddle/post/centerline.h>
 #include <heddle/simulation/matrix.h>
 
@@ -8,6 +9,7 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <map>
 #include <set>
@@ -36,7 +38,18 @@ namespace Heddle
                     state.current().begin() + state.n_owned_fiber_blocks())
     {
       make_mesh(state);
-      const Points points = exchange(embed(state));
+      const Points own = embed(state);
+      counted.n_links =
+        Utilities::MPI::sum(own.size(), state.space.communicator());
+      require(counted.n_links > 0,
+              "Matrix: no " +
+                std::string(parameters.points_per_element == 0
+                              ? "node"
+                              : "coupling point") +
+                " of a fiber lies in a cell, so that nothing links fibers and "
+                "matrix; choose a larger \"Overlap depth\", finer fibers, or "
+                "other corners of the block.");
+      const Points points = exchange(own);
       add_to(state, points);
 
       std::vector<double> parts = find_doubled_parts();
@@ -55,10 +68,6 @@ namespace Heddle
         points,
         parameters.stiffness_factor * parameters.material.youngs_modulus);
 
-      unsigned int n_own = 0;
-      for (const auto &point : points)
-        n_own += state.space.owns(point.fiber) ? 1 : 0;
-      counted.n_links = Utilities::MPI::sum(n_own, state.space.communicator());
       counted.n_nodes = matrix_space->n_nodes();
     }
 
@@ -75,6 +84,37 @@ namespace Heddle
                     state.space.n_blocks(),
                     values,
                     3);
+      for (const auto &number : identity())
+        archive.write_number("matrix/" + number.first, number.second);
+    }
+
+
+
+    std::vector<std::pair<std::string, double>>
+    Matrix::identity() const
+    {
+      return {{"cells", counted.n_cells},
+              {"nodes", counted.n_nodes},
+              {"links", counted.n_links},
+              {"cubic millimeters", counted.volume}};
+    }
+
+
+
+    void
+    Matrix::check(const ArchiveReader &archive, const std::string &where) const
+    {
+      for (const auto &number : identity())
+        {
+          const double there = archive.read_number("matrix/" + number.first);
+          std::ostringstream sentence;
+          sentence << where << " is of another matrix: its " << number.first
+                   << " are " << there << ", and " << number.second
+                   << " in the scene; take the entries of section \"Matrix\" "
+                      "that it was written with.";
+          require(std::abs(there - number.second) <= 1e-10 * number.second,
+                  sentence.str());
+        }
     }
 
 

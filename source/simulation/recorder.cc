@@ -312,6 +312,13 @@ namespace Heddle
     Recorder::write_summary()
     {
       update_times();
+      if (const Matrix *matrix = scene.matrix())
+        summary.matrix = {matrix->sizes().n_cells,
+                          matrix->sizes().n_nodes,
+                          matrix->sizes().n_links,
+                          matrix->elasticity()->n_assemblies(),
+                          matrix->sizes().volume,
+                          matrix->sizes().doubled};
       if (first_rank)
         summary.write(directory);
     }

@@ -56,17 +56,26 @@ namespace Heddle
       Place                     place;
       const std::string         path    = IO::Checkpoint::last(directory);
       const std::vector<Stage> &stages  = scene.stages();
-      const auto                prepare = [this](const ArchiveReader &archive) {
-        if (Matrix::is_in(archive))
-          scene.embed_as(archive);
+      const std::string         where   = "The checkpoint \"" + path + "\"";
+      const auto                prepare = [&](const ArchiveReader &archive) {
+        if (!Matrix::is_in(archive))
+          return;
+        require(parameters.matrix.enabled,
+                where + " is of fibers in a matrix, and the scene has none: "
+                                       "set Matrix/Enabled to true.");
+        scene.embed_as(archive, where);
       };
       const auto load = [&](const ArchiveReader &archive) {
         const std::string name = archive.read_text("position/stage");
         while (place.stage < stages.size() && stages[place.stage].name != name)
           ++place.stage;
         require(place.stage < stages.size(),
-                "The checkpoint \"" + path + "\" belongs to a stage \"" + name +
+                where + " belongs to a stage \"" + name +
                   "\", which this scene does not have.");
+        require(!parameters.matrix.enabled || scene.matrix() ||
+                  !stages[place.stage].is_loaded,
+                where + " is of fibers that are loaded without a matrix: set "
+                        "Matrix/Enabled to false.");
         place.stepping = stepping[place.stage].get();
         stepping[place.stage]->load(archive);
         place.predictor.load(archive, scene.state());

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 
@@ -46,11 +47,22 @@ namespace Heddle
       void
       print_sizes(Log &log, const Scene &scene, const Parameters &parameters)
       {
-        const System::FiberSpace &space = scene.space();
+        const System::FiberSpace &space  = scene.space();
+        const MatrixEstimate      matrix = scene.estimated_matrix();
+        // Only a weave is elsewhere when its fibers are embedded.
+        require(matrix.objection.empty() || scene.weave(), matrix.objection);
         log << "Fibers         " << space.n_fibers() << '\n'
             << "Nodes          " << space.n_nodes() << '\n'
-            << "Unknowns       " << space.n_dofs() << '\n'
-            << "Contributions  ";
+            << "Unknowns       " << space.n_dofs() << '\n';
+        if (!matrix.objection.empty())
+          log << "Matrix         not known where the fibers start: "
+              << matrix.objection << '\n';
+        else if (parameters.matrix.enabled)
+          log << "Matrix         about " << std::lround(matrix.n_cells)
+              << " cells, " << std::lround(matrix.n_nodes) << " nodes, "
+              << std::lround(3. * matrix.n_nodes)
+              << " unknowns, around the fibers where they start\n";
+        log << "Contributions  ";
         std::string comma;
         for (const std::string &name : scene.contribution_names())
           {
@@ -58,11 +70,11 @@ namespace Heddle
             comma = ", ";
           }
         log << "\nLinear solver  "
-            << (parameters.linear_solver.direct(space.n_dofs())
-                  ? "direct"
-                  : "fiber blocks")
+            << (scene.will_be_factorized(matrix.n_nodes) ? "direct"
+                                                         : "fiber blocks")
             << "\nMemory         about " << std::fixed << std::setprecision(0)
-            << std::ceil(scene.estimated_memory() / 1e6) << " MB" << std::endl;
+            << std::ceil(scene.estimated_memory(matrix.n_nodes) / 1e6) << " MB"
+            << std::endl;
       }
 
 

@@ -287,10 +287,11 @@ namespace Heddle
 
 
     void
-    Scene::embed_as(const ArchiveReader &archive)
+    Scene::embed_as(const ArchiveReader &archive, const std::string &where)
     {
       Matrix::load(archive, state());
       embed();
+      composite->check(archive, where);
     }
 
 
@@ -332,8 +333,29 @@ namespace Heddle
 
 
 
+    MatrixEstimate
+    Scene::estimated_matrix() const
+    {
+      return parameters.matrix.enabled
+               ? MatrixEstimate(parameters.matrix, paths)
+               : MatrixEstimate();
+    }
+
+
+
+    bool
+    Scene::will_be_factorized(const double n_matrix_nodes) const
+    {
+      const Solver::LinearSolverParameters &solver = parameters.linear_solver;
+      return solver.direct(fiber_space->n_dofs()) ||
+             (solver.kind == "automatic" &&
+              (fiber_friction || n_matrix_nodes > 0.));
+    }
+
+
+
     double
-    Scene::estimated_memory() const
+    Scene::estimated_memory(const double n_matrix_nodes) const
     {
       // What every rank takes before there is a scene: libraries, buffers.
       const double idle =
@@ -342,13 +364,20 @@ namespace Heddle
       // Blocks of 3x3 in a row of the tangent: the fiber's own and, about ten
       // neighbours of two blocks each, those of contact. Bands, vectors and
       // cells of contact take as much again, a sparse factorization far more.
-      // From 6 000 to 96 000 unknowns this was right to a quarter.
+      // With friction both its factors are kept. From 6 000 to 96 000 unknowns
+      // this was right to a quarter.
       const double per_row = 3. * fiber_space->element().n_blocks() / 2. +
                              (fiber_contact ? 20. : 0.);
-      const double times =
-        parameters.linear_solver.direct(fiber_space->n_dofs()) ? 10. : 2.;
-      return idle +
-             times * fiber_space->n_blocks() * per_row * 9. * sizeof(double);
+
+      // Nodes of the matrix are coupled to those of the cells around them.
+      const double per_matrix_row = parameters.matrix.degree == 1 ? 27. : 64.;
+      const double times          = !will_be_factorized(n_matrix_nodes) ? 2.
+                                    : fiber_friction                    ? 20.
+                                                                        : 10.;
+      return idle + times *
+                      (fiber_space->n_blocks() * per_row +
+                       n_matrix_nodes * per_matrix_row) *
+                      9. * sizeof(double);
     }
   } // namespace Simulation
 } // namespace Heddle

@@ -38,14 +38,22 @@ main()
   deallog << other.n_rows() << " row, load factor "
           << other.get(0, "load_factor") << std::endl;
 
-  other = {};
-  other.add_column("strain", "-");
-  try
+  // Another column, one that is not there, one too many.
+  for (const std::vector<std::string> &names :
+       {std::vector<std::string>{"strain"},
+        {"load_factor", "force_x", "contacts", "work"},
+        {"load_factor"}})
     {
-      other.read(csv);
-    }
-  catch (const Heddle::InputError &error)
-    {
-      deallog << error.what() << std::endl;
+      other = {};
+      for (const std::string &name : names)
+        other.add_column(name, name == "force_x" ? "N" : "-");
+      try
+        {
+          other.read(csv);
+        }
+      catch (const Heddle::InputError &error)
+        {
+          deallog << error.what() << std::endl;
+        }
     }
 }

@@ -32,6 +32,16 @@ main(int argc, char **argv)
   summary.stages.push_back(stage);
   deallog << summary.json() << std::endl;
 
+  // Of a composite it says how large the matrix is.
+  summary.stages.clear();
+  summary.matrix = {/*n_cells=*/400,
+                    /*n_nodes=*/605,
+                    /*n_links=*/96,
+                    /*n_assemblies=*/1,
+                    /*volume=*/0.5,
+                    /*doubled_volume=*/0.125};
+  deallog << summary.json() << std::endl;
+
   Heddle::create_folder("summary_01_files");
   summary.write("summary_01_files");
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,27 @@ namespace Heddle
 
 
 
+    /** What there is of a matrix, over all ranks. */
+    struct MatrixSummary
+    {
+      std::uint64_t n_cells = 0;
+      std::uint64_t n_nodes = 0;
+
+      /** Coupling elements between fibers and matrix. */
+      std::uint64_t n_links = 0;
+
+      /** How often the stiffness was assembled since the run began. */
+      unsigned int n_assemblies = 0;
+
+      /** Of the cells [mm^3]. */
+      double volume = 0.;
+
+      /** Of fibers that lie in cells [mm^3]. */
+      double doubled_volume = 0.;
+    };
+
+
+
     /**
      * The numbers of a run for a script to read, summary.json. It is written
      * whenever a stage ends and when the run ends, whichever way it does.
@@ -74,6 +96,9 @@ namespace Heddle
       std::uint64_t            n_dofs        = 0;
       unsigned int             ranks         = 1;
       std::vector<std::string> contributions;
+
+      /** Nothing unless fibers are embedded. */
+      std::optional<MatrixSummary> matrix;
 
       std::vector<StageSummary> stages;
 

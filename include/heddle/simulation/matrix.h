@@ -54,6 +54,13 @@ namespace Heddle
       static void
       load(const ArchiveReader &archive, System::State &state);
 
+      /**
+       * Throws InputError, which begins with @p where, if this is not the
+       * matrix that @p archive holds.
+       */
+      void
+      check(const ArchiveReader &archive, const std::string &where) const;
+
       /** One line for the log. */
       std::string
       in_words() const;
@@ -84,6 +91,10 @@ namespace Heddle
 
     private:
       using Points = std::vector<Contributions::EmbeddedPoint>;
+
+      /** Numbers that another matrix does not have. */
+      std::vector<std::pair<std::string, double>>
+      identity() const;
 
       void
       make_mesh(const System::State &state);

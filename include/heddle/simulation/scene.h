@@ -4,6 +4,7 @@
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/contributions/fiber_friction.h>
+#include <heddle/simulation/matrix_estimate.h>
 #include <heddle/simulation/parameters.h>
 #include <heddle/simulation/stage.h>
 #include <heddle/system/state.h>
@@ -81,9 +82,12 @@ namespace Heddle
       void
       embed();
 
-      /** The same as they were embedded in the run that wrote @p archive. */
+      /**
+       * The same as they were embedded in the run that wrote @p archive. Throws
+       * InputError, which begins with @p where, if that was another matrix.
+       */
       void
-      embed_as(const ArchiveReader &archive);
+      embed_as(const ArchiveReader &archive, const std::string &where);
 
       /**
        * Whether this stage is the one at whose end the initial configuration
@@ -106,9 +110,20 @@ namespace Heddle
       std::vector<std::string>
       contribution_names() const;
 
-      /** What the solver will need, roughly, over all ranks [bytes]. */
+      /** How large the matrix will be, about; nothing if there is none. */
+      MatrixEstimate
+      estimated_matrix() const;
+
+      /** Whether the tangent will be factorized, with such a matrix. */
+      bool
+      will_be_factorized(const double n_matrix_nodes) const;
+
+      /**
+       * What the solver will need, roughly, over all ranks, with a matrix of
+       * so many nodes [bytes].
+       */
       double
-      estimated_memory() const;
+      estimated_memory(const double n_matrix_nodes) const;
 
       /** The owned blocks at the start, displacements count from here. */
       const std::vector<Tensor<1, 3>> &

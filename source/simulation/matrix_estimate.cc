@@ -1,0 +1,39 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/simulation/matrix_estimate.h>
+#include <heddle/textile/matrix_mesh.h>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    MatrixEstimate::MatrixEstimate(const MatrixParameters &parameters,
+                                   const std::vector<Textile::FiberPath> &paths)
+    {
+      std::vector<Textile::FiberAxis> axes;
+      std::vector<Tensor<1, 3>>       nodes;
+      for (const Textile::FiberPath &path : paths)
+        {
+          axes.push_back({path.points, path.radius, path.yarn_id});
+          nodes.insert(nodes.end(), path.points.begin(), path.points.end());
+        }
+      try
+        {
+          const Textile::MatrixMesh mesh(
+            parameters.mesh.description(), axes, nodes);
+          n_cells = mesh.cells().size();
+          n_nodes = mesh.vertices().size();
+
+          // One more on each edge and face and in each cell. There are half as
+          // many inner faces as sides of cells, and, after Euler, as many
+          // edges as vertices and faces less cells.
+          const double n_faces = 3. * n_cells + 0.5 * mesh.boundary().size();
+          if (parameters.degree == 2)
+            n_nodes = 2. * (n_nodes + n_faces);
+        }
+      catch (const InputError &error)
+        {
+          objection = error.what();
+        }
+    }
+  } // namespace Simulation
+} // namespace Heddle
