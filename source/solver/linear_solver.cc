@@ -15,8 +15,7 @@ namespace Heddle
                     const System::BlockSystem    &system)
       {
         return parameters.direct(system.state.n_dofs()) ||
-               (parameters.kind == "automatic" &&
-                (!system.is_symmetric() || system.state.matrix()));
+               (parameters.kind == "automatic" && !system.is_symmetric());
       }
 
 
@@ -97,8 +96,8 @@ namespace Heddle
                                  PETSC_DEFAULT,
                                  PETSC_DEFAULT,
                                  parameters.max_iterations));
-          fiber_blocks = std::make_unique<FiberBlocks>(system.state);
-          fiber_blocks->attach_to(pc);
+          preconditioner = std::make_unique<BlockPreconditioner>(system.state);
+          preconditioner->attach_to(pc);
         }
       petsc(KSPSetFromOptions(ksp));
     }
@@ -116,7 +115,9 @@ namespace Heddle
     LinearSolver::name() const
     {
       if (!direct)
-        return "conjugate gradients with fiber blocks";
+        return system.state.matrix()
+                 ? "conjugate gradients with fiber blocks and matrix block"
+                 : "conjugate gradients with fiber blocks";
       return system.is_symmetric() ? "MUMPS LDL^T" : "MUMPS LU";
     }
 
@@ -146,8 +147,8 @@ namespace Heddle
     LinearSolver::solve()
     {
       petsc(KSPSetOperators(ksp, system.tangent(), system.tangent()));
-      if (fiber_blocks)
-        fiber_blocks->set_up(system.tangent());
+      if (preconditioner)
+        preconditioner->set_up(system.tangent());
       LinearResult result;
       if (!set_up_succeeds())
         {
