@@ -61,6 +61,10 @@ namespace Heddle
             << (parameters.linear_solver.direct(space.n_dofs())
                   ? "direct"
                   : "fiber blocks")
+            << (parameters.matrix.enabled &&
+                    parameters.linear_solver.depends_on_size()
+                  ? ", chosen anew when the matrix is there"
+                  : "")
             << "\nMemory         about " << std::fixed << std::setprecision(0)
             << std::ceil(scene.estimated_memory() / 1e6) << " MB" << std::endl;
       }

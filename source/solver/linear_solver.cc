@@ -40,8 +40,9 @@ namespace Heddle
                     kind,
                     "'direct': sparse factorization by MUMPS. 'fiber blocks': "
                     "conjugate gradients preconditioned by one banded "
-                    "factorization per fiber. 'automatic': direct for few "
-                    "unknowns [-].",
+                    "factorization per fiber and, in a matrix, a sweep of "
+                    "Gauss and Seidel over its nodes. 'automatic': direct for "
+                    "few unknowns [-].",
                     prm,
                     Patterns::Selection("automatic|direct|fiber blocks"));
       add_parameter("Tolerance",
@@ -60,8 +61,8 @@ namespace Heddle
         Patterns::Integer(1));
       add_parameter("Direct below",
                     direct_below,
-                    "Number of unknowns below which 'automatic' chooses "
-                    "'direct' [-].",
+                    "Number of unknowns, of fibers and matrix, below which "
+                    "'automatic' chooses 'direct' [-].",
                     prm,
                     Patterns::Integer(0));
     }

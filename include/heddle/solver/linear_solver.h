@@ -30,6 +30,13 @@ namespace Heddle
                (kind == "automatic" && n_dofs < direct_below);
       }
 
+      /** Whether the number of unknowns matters for that. */
+      bool
+      depends_on_size() const
+      {
+        return kind == "automatic";
+      }
+
       std::string  kind           = "automatic";
       double       tolerance      = 0.03;
       unsigned int max_iterations = 400;
