@@ -346,10 +346,8 @@ namespace Heddle
     bool
     Scene::will_be_factorized(const double n_matrix_nodes) const
     {
-      const Solver::LinearSolverParameters &solver = parameters.linear_solver;
-      return solver.direct(fiber_space->n_dofs()) ||
-             (solver.kind == "automatic" &&
-              (fiber_friction || n_matrix_nodes > 0.));
+      return parameters.linear_solver.direct(fiber_space->n_dofs() +
+                                             std::lround(3. * n_matrix_nodes));
     }
 
 
@@ -364,16 +362,13 @@ namespace Heddle
       // Blocks of 3x3 in a row of the tangent: the fiber's own and, about ten
       // neighbours of two blocks each, those of contact. Bands, vectors and
       // cells of contact take as much again, a sparse factorization far more.
-      // With friction both its factors are kept. From 6 000 to 96 000 unknowns
-      // this was right to a quarter.
+      // From 6 000 to 96 000 unknowns this was right to a quarter.
       const double per_row = 3. * fiber_space->element().n_blocks() / 2. +
                              (fiber_contact ? 20. : 0.);
 
       // Nodes of the matrix are coupled to those of the cells around them.
       const double per_matrix_row = parameters.matrix.degree == 1 ? 27. : 64.;
-      const double times          = !will_be_factorized(n_matrix_nodes) ? 2.
-                                    : fiber_friction                    ? 20.
-                                                                        : 10.;
+      const double times = will_be_factorized(n_matrix_nodes) ? 10. : 2.;
       return idle + times *
                       (fiber_space->n_blocks() * per_row +
                        n_matrix_nodes * per_matrix_row) *

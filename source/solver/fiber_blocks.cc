@@ -1,4 +1,3 @@
-#include <heddle/base/petsc.h>
 #include <heddle/solver/fiber_blocks.h>
 
 #include <deal.II/base/exceptions.h>
@@ -49,9 +48,9 @@ namespace Heddle
 
 
     void
-    FiberBlocks::set_up(Mat matrix)
+    FiberBlocks::set_up(const LocalBlocks &tangent)
     {
-      extract(matrix);
+      extract(tangent);
       factors          = bands;
       const auto owned = state.space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
@@ -61,32 +60,8 @@ namespace Heddle
 
 
     void
-    FiberBlocks::extract(Mat matrix)
+    FiberBlocks::extract(const LocalBlocks &tangent)
     {
-      Mat diagonal;
-      petsc(MatGetDiagonalBlock(matrix, &diagonal));
-      PetscBool symmetric;
-      petsc(PetscObjectTypeCompare(
-        reinterpret_cast<PetscObject>(diagonal), MATSEQSBAIJ, &symmetric));
-
-      PetscInt        n_rows;
-      const PetscInt *row_begin, *columns;
-      PetscBool       done;
-      petsc(MatGetRowIJ(diagonal,
-                        0,
-                        PETSC_FALSE,
-                        PETSC_TRUE,
-                        &n_rows,
-                        &row_begin,
-                        &columns,
-                        &done));
-      AssertThrow(done, ExcMessage("The tangent does not show its blocks."));
-      double *values;
-      if (symmetric)
-        petsc(MatSeqSBAIJGetArray(diagonal, &values));
-      else
-        petsc(MatSeqBAIJGetArray(diagonal, &values));
-
       const unsigned int height = bandwidth + 1;
       bands.assign(std::size_t(3) * state.n_owned_fiber_blocks() * height, 0.);
       const auto owned = state.space.owned_fibers();
@@ -95,34 +70,17 @@ namespace Heddle
           const unsigned int begin = state.local_block(f),
                              end   = begin + state.space.n_blocks(f);
           for (unsigned int row = begin; row < end; ++row)
-            for (PetscInt k = row_begin[row]; k < row_begin[row + 1]; ++k)
-              {
-                // The upper triangle; blocks are stored column by column.
-                const unsigned int column = columns[k];
-                if (column < row || column >= end ||
-                    3 * (column - row) + 2 > bandwidth)
-                  continue;
+            tangent.for_each_of_upper_row(
+              row, [&](const unsigned int column, const double *values) {
+                if (column >= end || 3 * (column - row) + 2 > bandwidth)
+                  return;
                 for (unsigned int i = 0; i < 3; ++i)
                   for (unsigned int j = 0; j < 3; ++j)
                     if (column > row || j >= i)
                       bands[std::size_t(3 * row + i) * height +
-                            3 * (column - row) + j - i] =
-                        values[9 * k + 3 * j + i];
-              }
+                            3 * (column - row) + j - i] = values[3 * j + i];
+              });
         }
-
-      if (symmetric)
-        petsc(MatSeqSBAIJRestoreArray(diagonal, &values));
-      else
-        petsc(MatSeqBAIJRestoreArray(diagonal, &values));
-      petsc(MatRestoreRowIJ(diagonal,
-                            0,
-                            PETSC_FALSE,
-                            PETSC_TRUE,
-                            &n_rows,
-                            &row_begin,
-                            &columns,
-                            &done));
     }
 
 
@@ -158,46 +116,25 @@ namespace Heddle
 
 
     void
-    FiberBlocks::attach_to(PC pc)
+    FiberBlocks::apply(double *values) const
     {
-      petsc(PCSetType(pc, PCSHELL));
-      petsc(PCShellSetContext(pc, this));
-      petsc(PCShellSetApply(pc, &FiberBlocks::apply));
-      petsc(PCShellSetName(pc, "one banded factorization per fiber"));
-    }
-
-
-
-    PetscErrorCode
-    FiberBlocks::apply(PC pc, Vec residual, Vec result)
-    {
-      // PETSc calls this: errors are returned, not thrown.
-      FiberBlocks   *self;
-      double        *values;
-      PetscErrorCode code = PCShellGetContext(pc, &self);
-      code                = code != 0 ? code : VecCopy(residual, result);
-      code                = code != 0 ? code : VecGetArray(result, &values);
-      if (code != 0)
-        return code;
-
-      const int  kd = self->bandwidth, height = kd + 1, one = 1;
-      const auto owned = self->state.space.owned_fibers();
+      const int  kd = bandwidth, height = kd + 1, one = 1;
+      const auto owned = state.space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
-          const std::size_t begin = std::size_t(3) * self->state.local_block(f);
-          const int         n     = 3 * self->state.space.n_blocks(f);
+          const std::size_t begin = std::size_t(3) * state.local_block(f);
+          const int         n     = 3 * state.space.n_blocks(f);
           int               info;
           dpbtrs_("L",
                   &n,
                   &kd,
                   &one,
-                  self->factors.data() + begin * height,
+                  factors.data() + begin * height,
                   &height,
                   values + begin,
                   &n,
                   &info);
         }
-      return VecRestoreArray(result, &values);
     }
   } // namespace Solver
 } // namespace Heddle

@@ -15,8 +15,7 @@ namespace Heddle
                     const System::BlockSystem    &system)
       {
         return parameters.direct(system.state.n_dofs()) ||
-               (parameters.kind == "automatic" &&
-                (!system.is_symmetric() || system.state.matrix()));
+               (parameters.kind == "automatic" && !system.is_symmetric());
       }
 
 
@@ -41,8 +40,9 @@ namespace Heddle
                     kind,
                     "'direct': sparse factorization by MUMPS. 'fiber blocks': "
                     "conjugate gradients preconditioned by one banded "
-                    "factorization per fiber. 'automatic': direct for few "
-                    "unknowns [-].",
+                    "factorization per fiber and, in a matrix, a sweep of "
+                    "Gauss and Seidel over its nodes. 'automatic': direct for "
+                    "few unknowns [-].",
                     prm,
                     Patterns::Selection("automatic|direct|fiber blocks"));
       add_parameter("Tolerance",
@@ -61,8 +61,8 @@ namespace Heddle
         Patterns::Integer(1));
       add_parameter("Direct below",
                     direct_below,
-                    "Number of unknowns below which 'automatic' chooses "
-                    "'direct' [-].",
+                    "Number of unknowns, of fibers and matrix, below which "
+                    "'automatic' chooses 'direct' [-].",
                     prm,
                     Patterns::Integer(0));
     }
@@ -97,8 +97,8 @@ namespace Heddle
                                  PETSC_DEFAULT,
                                  PETSC_DEFAULT,
                                  parameters.max_iterations));
-          fiber_blocks = std::make_unique<FiberBlocks>(system.state);
-          fiber_blocks->attach_to(pc);
+          preconditioner = std::make_unique<BlockPreconditioner>(system.state);
+          preconditioner->attach_to(pc);
         }
       petsc(KSPSetFromOptions(ksp));
     }
@@ -116,7 +116,9 @@ namespace Heddle
     LinearSolver::name() const
     {
       if (!direct)
-        return "conjugate gradients with fiber blocks";
+        return system.state.matrix()
+                 ? "conjugate gradients with fiber blocks and matrix block"
+                 : "conjugate gradients with fiber blocks";
       return system.is_symmetric() ? "MUMPS LDL^T" : "MUMPS LU";
     }
 
@@ -146,8 +148,8 @@ namespace Heddle
     LinearSolver::solve()
     {
       petsc(KSPSetOperators(ksp, system.tangent(), system.tangent()));
-      if (fiber_blocks)
-        fiber_blocks->set_up(system.tangent());
+      if (preconditioner)
+        preconditioner->set_up(system.tangent());
       LinearResult result;
       if (!set_up_succeeds())
         {

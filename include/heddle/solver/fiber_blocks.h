@@ -1,9 +1,8 @@
 #ifndef heddle_solver_fiber_blocks_h
 #define heddle_solver_fiber_blocks_h
 
-#include <heddle/system/block_system.h>
-
-#include <petscpc.h>
+#include <heddle/solver/local_blocks.h>
+#include <heddle/system/state.h>
 
 #include <vector>
 
@@ -14,29 +13,26 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * Preconditioner of one banded Cholesky factorization for each fiber. The
-     * band holds the elasticity of the fiber and what contact adds to it;
-     * coupling to other fibers is left out.
+     * One banded Cholesky factorization for each fiber of this rank. The band
+     * holds the elasticity of the fiber and what contact and links to a matrix
+     * add to it; coupling to other fibers and to the matrix is left out.
      */
     class FiberBlocks
     {
     public:
       FiberBlocks(const System::State &state);
 
-      /** Take the blocks from @p matrix and factorize them. */
+      /** Take the blocks from a tangent and factorize them. */
       void
-      set_up(Mat matrix);
+      set_up(const LocalBlocks &tangent);
 
-      /** Let @p pc apply this object. */
+      /** Solve for the right-hand side @p values of the own fibers. */
       void
-      attach_to(PC pc);
+      apply(double *values) const;
 
     private:
-      static PetscErrorCode
-      apply(PC pc, Vec residual, Vec result);
-
       void
-      extract(Mat matrix);
+      extract(const LocalBlocks &tangent);
 
       void
       factorize(const unsigned int fiber);

@@ -1,7 +1,7 @@
 #ifndef heddle_solver_linear_solver_h
 #define heddle_solver_linear_solver_h
 
-#include <heddle/solver/fiber_blocks.h>
+#include <heddle/solver/block_preconditioner.h>
 #include <heddle/system/block_system.h>
 
 #include <deal.II/base/parameter_acceptor.h>
@@ -48,7 +48,7 @@ namespace Heddle
     /**
      * Solver of the linear systems of one BlockSystem: a sparse factorization
      * by MUMPS (LDL^T if the system is symmetric, else LU), or conjugate
-     * gradients with FiberBlocks.
+     * gradients with BlockPreconditioner.
      */
     class LinearSolver
     {
@@ -85,11 +85,11 @@ namespace Heddle
       bool
       set_up_succeeds();
 
-      const LinearSolverParameters &parameters;
-      const System::BlockSystem    &system;
-      const bool                    direct;
-      KSP                           ksp = nullptr;
-      std::unique_ptr<FiberBlocks>  fiber_blocks;
+      const LinearSolverParameters        &parameters;
+      const System::BlockSystem           &system;
+      const bool                           direct;
+      KSP                                  ksp = nullptr;
+      std::unique_ptr<BlockPreconditioner> preconditioner;
     };
   } // namespace Solver
 } // namespace Heddle

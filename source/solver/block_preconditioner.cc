@@ -1,0 +1,63 @@
+#include <heddle/base/petsc.h>
+#include <heddle/solver/block_preconditioner.h>
+
+#include <algorithm>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    BlockPreconditioner::BlockPreconditioner(const System::State &state)
+      : n_fiber_dofs(3 * state.n_owned_fiber_blocks())
+      , fibers(state)
+    {
+      if (state.matrix())
+        matrix = std::make_unique<MatrixBlock>(state);
+    }
+
+
+
+    void
+    BlockPreconditioner::set_up(Mat tangent)
+    {
+      const LocalBlocks blocks(tangent);
+      fibers.set_up(blocks);
+      if (matrix)
+        matrix->set_up(blocks);
+    }
+
+
+
+    void
+    BlockPreconditioner::attach_to(PC pc)
+    {
+      petsc(PCSetType(pc, PCSHELL));
+      petsc(PCShellSetContext(pc, this));
+      petsc(PCShellSetApply(pc, &BlockPreconditioner::apply));
+      petsc(PCShellSetName(pc, "fiber blocks"));
+    }
+
+
+
+    PetscErrorCode
+    BlockPreconditioner::apply(PC pc, Vec residual, Vec result)
+    {
+      // PETSc calls this: errors are returned, not thrown.
+      BlockPreconditioner *self;
+      const double        *input;
+      double              *output;
+      PetscErrorCode       code = PCShellGetContext(pc, &self);
+      code = code != 0 ? code : VecGetArrayRead(residual, &input);
+      code = code != 0 ? code : VecGetArray(result, &output);
+      if (code != 0)
+        return code;
+      const unsigned int n = self->n_fiber_dofs;
+      std::copy_n(input, n, output);
+      self->fibers.apply(output);
+      if (self->matrix)
+        code = self->matrix->apply(input + n, output + n);
+      code = code != 0 ? code : VecRestoreArray(result, &output);
+      return code != 0 ? code : VecRestoreArrayRead(residual, &input);
+    }
+  } // namespace Solver
+} // namespace Heddle
