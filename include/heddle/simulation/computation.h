@@ -36,6 +36,10 @@ namespace Heddle
       void
       run_stages();
 
+      /** Solve with a new system from now on. */
+      void
+      make_newton();
+
       void
       begin_stage(const Stage &stage);
 
@@ -69,7 +73,7 @@ namespace Heddle
       Log                                               &log;
       SectionTimer                                      &timer;
       StopRequest                                       &stop;
-      Solver::Newton                                     newton;
+      std::unique_ptr<Solver::Newton>                    newton;
       std::vector<std::unique_ptr<Solver::LoadStepping>> stepping;
       Recorder::Place                                    place;
       double                                             stage_began    = 0.;
