@@ -31,8 +31,13 @@ namespace Heddle
       , log(log)
       , timer(timer)
       , stop(stop)
+      , newton(parameters.newton,
+               parameters.linear_solver,
+               scene.space().communicator(),
+               log,
+               timer,
+               stop)
     {
-      make_newton();
       for (const Stage &stage : scene.stages())
         stepping.push_back(std::make_unique<Solver::LoadStepping>(stage.plan));
     }
@@ -100,27 +105,10 @@ namespace Heddle
 
 
     void
-    Computation::make_newton()
-    {
-      newton = std::make_unique<Solver::Newton>(parameters.newton,
-                                                parameters.linear_solver,
-                                                scene.space().communicator(),
-                                                log,
-                                                timer,
-                                                stop);
-    }
-
-
-
-    void
     Computation::begin_stage(const Stage &stage)
     {
       if (stage.begins_initially)
-        {
-          recorder.return_to_initial_configuration();
-          // Nor has the system grown with what touched in the case before.
-          make_newton();
-        }
+        recorder.return_to_initial_configuration();
       System::State &state = scene.state();
       state.step           = 0;
       state.load_factor    = 0.;
@@ -136,10 +124,10 @@ namespace Heddle
       // A step of no motion leaves the forces from which work counts.
       for (const auto &contribution : stage.contributions)
         contribution->begin_step(state);
-      newton->residual_ratio(state, stage.contributions);
+      newton.residual_ratio(state, stage.contributions);
       for (const auto &contribution : stage.contributions)
         {
-          contribution->observe(*newton->system());
+          contribution->observe(*newton.system());
           contribution->accept_step(state);
         }
     }
@@ -206,7 +194,7 @@ namespace Heddle
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
           const bool                 predicts = stage.is_loaded && i == 0;
-          const Solver::NewtonResult result   = newton->solve(
+          const Solver::NewtonResult result   = newton.solve(
             state,
             contributions,
             stage.aim,
@@ -228,7 +216,7 @@ namespace Heddle
 
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
-          total.residual_ratio = newton->residual_ratio(state, contributions);
+          total.residual_ratio = newton.residual_ratio(state, contributions);
           if (total.residual_ratio > parameters.newton.residual_tolerance)
             total.obstacle = "a new search finds other contacts";
           for (const auto &contribution : contributions)

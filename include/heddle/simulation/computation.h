@@ -36,10 +36,6 @@ namespace Heddle
       void
       run_stages();
 
-      /** Solve with a new system from now on. */
-      void
-      make_newton();
-
       void
       begin_stage(const Stage &stage);
 
@@ -73,7 +69,7 @@ namespace Heddle
       Log                                               &log;
       SectionTimer                                      &timer;
       StopRequest                                       &stop;
-      std::unique_ptr<Solver::Newton>                    newton;
+      Solver::Newton                                     newton;
       std::vector<std::unique_ptr<Solver::LoadStepping>> stepping;
       Recorder::Place                                    place;
       double                                             stage_began    = 0.;
