@@ -50,10 +50,10 @@ namespace Heddle
 
       private:
         static bool
-        same_motion(const SupportParameters &a,
-                    const SupportParameters &b,
-                    const HeldBlock::Kind    kind,
-                    const unsigned int       d)
+        same_motion(const Support        &a,
+                    const Support        &b,
+                    const HeldBlock::Kind kind,
+                    const unsigned int    d)
         {
           if (kind == HeldBlock::Kind::position)
             return a.displacement[d] == b.displacement[d];
@@ -81,8 +81,8 @@ namespace Heddle
                   " of node " + std::to_string(node) + " of fiber " +
                   std::to_string(held.fiber);
           throw InputError(
-            section_in_words(*supports[holder]) + " and " +
-            section_in_words(*supports[other]) + " hold " + what +
+            supports[holder]->where + " and " + supports[other]->where +
+            " hold " + what +
             " in different ways; leave it free in one of them, or choose "
             "other nodes.");
         }
@@ -95,11 +95,11 @@ namespace Heddle
 
       /** Let @p collector know what support @p number holds of @p node. */
       void
-      hold_node(const SupportParameters &support,
-                const unsigned int       number,
-                const SelectedNode      &node,
-                const unsigned int       n_blocks_per_node,
-                Collector               &collector)
+      hold_node(const Support      &support,
+                const unsigned int  number,
+                const SelectedNode &node,
+                const unsigned int  n_blocks_per_node,
+                Collector          &collector)
       {
         const auto hold = [&](const unsigned int    block,
                               const HeldBlock::Kind kind,
@@ -131,7 +131,7 @@ namespace Heddle
 
       /** Let @p collector know what support @p number holds of the matrix. */
       void
-      hold_sides(const SupportParameters   &support,
+      hold_sides(const Support             &support,
                  const unsigned int         number,
                  const System::MatrixSpace &matrix,
                  Collector                 &collector)
@@ -174,14 +174,14 @@ namespace Heddle
       Collector collector(supports);
       for (unsigned int i = 0; i < supports.size(); ++i)
         {
-          const SupportParameters &support = *supports[i];
+          const Support &support = *supports[i];
           require(support.held_tangent.empty() ||
                     space.n_blocks_per_node() == 2,
                   support.entry("Held tangent components") +
                     " needs the element \"hermite\"; with \"" +
                     space.element().name() + "\" hold the section instead.");
-          for (const SelectedNode &node : support.nodes.find_nodes(
-                 space, reference, section_in_words(support)))
+          for (const SelectedNode &node :
+               support.nodes.find_nodes(space, reference, support.where))
             hold_node(support, i, node, space.n_blocks_per_node(), collector);
           if (matrix)
             hold_sides(support, i, *matrix, collector);

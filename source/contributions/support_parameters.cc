@@ -11,6 +11,7 @@ namespace Heddle
     SupportParameters::SupportParameters(const std::string &section_name)
       : ParameterAcceptor(section_name)
     {
+      where = section_in_words(*this);
       nodes.add_parameters(*this);
       add_parameter(
         "Matrix sides",
@@ -79,28 +80,9 @@ namespace Heddle
         displacement.end(),
         [](const std::string &component) { return component == "free"; });
       require(!all_free || section != "free" || !held_tangent.empty(),
-              section_in_words(*this) +
+              where +
                 ": this support holds nothing; give a displacement, set the "
                 "section to \"held\" or \"turned\", or leave the support out.");
-    }
-
-
-
-    std::vector<unsigned int>
-    SupportParameters::sides() const
-    {
-      std::vector<unsigned int> numbers;
-      for (const std::string &side : matrix_sides)
-        numbers.push_back(2 * (side[0] - 'x') + (side[1] == '+' ? 1 : 0));
-      return numbers;
-    }
-
-
-
-    std::string
-    SupportParameters::entry(const std::string &name) const
-    {
-      return section_in_words(*this) + ": \"" + name + "\"";
     }
 
 
@@ -111,7 +93,7 @@ namespace Heddle
       SupportList        supports;
       const unsigned int n = file.count_sections("/Supports", "Support");
       for (unsigned int i = 1; i <= n; ++i)
-        supports.push_back(std::make_unique<SupportParameters>(
+        supports.push_back(std::make_shared<SupportParameters>(
           "/Supports/Support " + std::to_string(i)));
       return supports;
     }

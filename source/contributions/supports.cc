@@ -137,7 +137,6 @@ namespace Heddle
         if (held.local_block(system.state) < forces.size())
           {
             const unsigned int block = held.local_block(system.state);
-            forces[block]            = system.residual()[block];
 
             // What is conjugate to a section vector or a tangent g is a moment
             // over its length: g x f. It adds to that of the forces.
@@ -146,7 +145,7 @@ namespace Heddle
                 {
                   double      *sum = sums.data() + 9 * held.holder[d];
                   Tensor<1, 3> force;
-                  force[d] = forces[block][d];
+                  force[d] = forces[block][d] = system.residual()[block][d];
                   if (held.kind == HeldBlock::Kind::position)
                     sum[d] += force[d];
                   const Tensor<1, 3> moment =

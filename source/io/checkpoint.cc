@@ -216,7 +216,7 @@ namespace Heddle
       state.load_factor   = archive.read_number("position/load_factor");
 
       prepare(archive);
-      auto blocks = System::read_blocks(archive, "fibers/blocks", state);
+      auto blocks = System::read_positions(archive, "fibers/blocks", state);
       blocks.resize(state.n_local_blocks());
       state.set(blocks);
       state.update_ghosts();

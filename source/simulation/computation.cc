@@ -107,6 +107,8 @@ namespace Heddle
     void
     Computation::begin_stage(const Stage &stage)
     {
+      if (stage.begins_initially)
+        recorder.return_to_initial_configuration();
       System::State &state = scene.state();
       state.step           = 0;
       state.load_factor    = 0.;

@@ -39,10 +39,30 @@ namespace Heddle
               file.name() +
                 ": Restart/Initial configuration is given, but Run/Scene is "
                 "\"centerlines\": only a weave has an initial configuration.");
-      require(!supports.empty() || restart.initial_configuration.empty(),
+      require(weaves || !fabric_loading.is_active(),
+              file.name() +
+                ": Fabric loading/Kind is given, but Run/Scene is "
+                "\"centerlines\": only a weave has four sides to move; declare "
+                "sections \"Supports/Support 1\" and so on instead.");
+      require(!fabric_loading.is_active() ||
+                (supports.empty() && loads.empty()),
+              file.name() +
+                ": Fabric loading/Kind is given, and so are sections "
+                "\"Supports\" or \"Loads\": remove one of them, since the "
+                "loading of a fabric moves all of its sides itself.");
+      require(
+        !fabric_loading.leaves_yarns_free() || matrix.enabled ||
+          (contact.enabled && contact.has_friction()),
+        file.name() +
+          ": Fabric loading/Sides is \"free\", but nothing keeps the yarns "
+          "between these sides from being drawn out; set "
+          "\"Contact/Friction coefficient\", enable the matrix, or set "
+          "\"Sides\" to \"held\".");
+      require(are_held() || restart.initial_configuration.empty(),
               file.name() +
                 ": Restart/Initial configuration is given, but nothing holds "
-                "the fibers, so there is nothing to compute; declare a section "
+                "the fibers, so there is nothing to compute; set "
+                "\"Fabric loading/Kind\", or declare a section "
                 "\"Supports/Support 1\".");
       require(!restart.stress_free || fiber.element_name == "director",
               file.name() +
@@ -51,17 +71,18 @@ namespace Heddle
                 "\", which knows no torsion: a curved fiber that is free of "
                 "stress would turn in its place without resistance; choose "
                 "\"director\".");
-      require(!supports.empty() || !matrix.enabled,
+      require(are_held() || !matrix.enabled,
               file.name() +
                 ": Matrix/Enabled is true, but nothing holds fibers or matrix, "
-                "so there is nothing to compute in it; declare a section "
+                "so there is nothing to compute in it; set "
+                "\"Fabric loading/Kind\", or declare a section "
                 "\"Supports/Support 1\".");
       for (const auto &support : supports)
         require(matrix.enabled || support->matrix_sides.empty(),
                 support->entry("Matrix sides") +
                   " names sides, but Matrix/Enabled is false: leave them out, "
                   "or enable the matrix.");
-      require(!supports.empty() || (weaves && loads.empty()),
+      require(are_held() || (weaves && loads.empty()),
               file.name() + ": nothing holds the fibers; declare a section "
                             "\"Supports/Support 1\".");
     }

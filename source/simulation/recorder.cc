@@ -172,7 +172,7 @@ namespace Heddle
       IO::StageSummary &stage = summary.stages[place.stage];
       ++stage.steps;
       stage.residual_ratio = result.residual_ratio;
-      auto values          = scene.report();
+      auto values          = scene.report(place.stage);
       if (scene.contact())
         {
           stage.contact_elements        = values["contact_elements[-]"];

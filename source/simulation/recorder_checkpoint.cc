@@ -112,6 +112,15 @@ namespace Heddle
 
 
     void
+    Recorder::return_to_initial_configuration()
+    {
+      const std::string &given = parameters.restart.initial_configuration;
+      read_initial_configuration(given.empty() ? directory : given);
+    }
+
+
+
+    void
     Recorder::save(ArchiveWriter &archive, const Place &place) const
     {
       if (scene.matrix())

@@ -41,8 +41,12 @@ namespace Heddle
             add_order_stage();
           add_settle_stages();
         }
-      if (!parameters.supports.empty())
-        add_load_stage();
+      if (parameters.fabric_loading.is_active())
+        add_load_cases();
+      else if (!parameters.supports.empty())
+        add_load_stage("load",
+                       std::make_shared<Contributions::Supports>(
+                         *fiber_space, initial_blocks, parameters.supports));
     }
 
 
@@ -215,17 +219,35 @@ namespace Heddle
 
 
     void
-    Scene::add_load_stage()
+    Scene::add_load_cases()
+    {
+      const Textile::WeaveDescription weave = parameters.weave.description();
+      const Contributions::FabricSize size  = {
+         {{weave.warp.n_yarns * fabric->warp_spacing(),
+           weave.weft.n_yarns * fabric->weft_spacing()}},
+         {{weave.warp.n_yarns, weave.weft.n_yarns}}};
+      fabric_cases = parameters.fabric_loading.cases(parameters.matrix.enabled);
+      for (const Contributions::FabricCase &test : fabric_cases)
+        {
+          add_load_stage(test.name,
+                         std::make_shared<Contributions::FabricSupports>(
+                           *fiber_space, initial_blocks, test, size));
+          all_stages.back().begins_initially = true;
+        }
+    }
+
+
+
+    void
+    Scene::add_load_stage(const std::string                           &name,
+                          const std::shared_ptr<System::Contribution> &supports)
     {
       Stage stage;
-      stage.name          = "load";
+      stage.name          = name;
       stage.plan          = parameters.load_stepping.plan();
       stage.is_loaded     = true;
       stage.begin         = [this] { begin_loading(); };
-      stage.contributions = {
-        fiber_elasticity,
-        std::make_shared<Contributions::Supports>(
-          *fiber_space, initial_blocks, parameters.supports)};
+      stage.contributions = {fiber_elasticity, supports};
       if (!parameters.loads.empty())
         stage.contributions.push_back(std::make_shared<Contributions::Loads>(
           *fiber_space, initial_blocks, parameters.loads));
@@ -266,7 +288,7 @@ namespace Heddle
           if (fiber_friction)
             fiber_friction->forget();
         }
-      if (parameters.matrix.enabled)
+      if (parameters.matrix.enabled && !composite)
         embed();
     }
 
@@ -297,7 +319,7 @@ namespace Heddle
 
 
     std::map<std::string, double>
-    Scene::report() const
+    Scene::report(const unsigned int stage) const
     {
       std::map<std::string, double> values;
       if (parameters.matrix.enabled && !composite)
@@ -306,11 +328,16 @@ namespace Heddle
                                  "coupling_elements[-]",
                                  "largest_coupling_force_per_length[N/mm]"})
           values[name] = 0.;
-      std::set<const System::Contribution *> reported;
-      for (const Stage &stage : all_stages)
-        for (const auto &contribution : stage.contributions)
-          if (reported.insert(contribution.get()).second)
+      std::set<std::string> reported;
+      const auto            report_those_of = [&](const Stage &one) {
+        for (const auto &contribution : one.contributions)
+          if (reported.insert(contribution->name()).second)
             contribution->report(*configuration, values);
+      };
+      if (stage < all_stages.size())
+        report_those_of(all_stages[stage]);
+      for (const Stage &other : all_stages)
+        report_those_of(other);
       return values;
     }
 

@@ -15,6 +15,24 @@ namespace Heddle
       {
         return name + " of the matrix";
       }
+
+
+
+      /** All owned blocks, of which those of the fibers are set. */
+      std::vector<Tensor<1, 3>>
+      read_fibers(const ArchiveReader &archive,
+                  const std::string   &name,
+                  const State         &state)
+      {
+        std::vector<Tensor<1, 3>> owned(state.n_owned_blocks());
+        const unsigned int        n_fiber_blocks = state.n_owned_fiber_blocks();
+        const std::vector<double> values         = archive.read(
+          name, state.space.owned_blocks().first, n_fiber_blocks, 3);
+        for (unsigned int b = 0; b < n_fiber_blocks; ++b)
+          for (unsigned int d = 0; d < 3; ++d)
+            owned[b][d] = values[3 * b + d];
+        return owned;
+      }
     } // namespace
 
 
@@ -59,15 +77,8 @@ namespace Heddle
                 const std::string   &name,
                 const State         &state)
     {
-      std::vector<Tensor<1, 3>> owned(state.n_owned_blocks());
-      const unsigned int        n_fiber_blocks = state.n_owned_fiber_blocks();
-      const std::vector<double> values =
-        archive.read(name, state.space.owned_blocks().first, n_fiber_blocks, 3);
-      for (unsigned int b = 0; b < n_fiber_blocks; ++b)
-        for (unsigned int d = 0; d < 3; ++d)
-          owned[b][d] = values[3 * b + d];
-
-      const MatrixSpace *matrix = state.matrix();
+      std::vector<Tensor<1, 3>> owned  = read_fibers(archive, name, state);
+      const MatrixSpace        *matrix = state.matrix();
       if (!matrix)
         return owned;
       std::map<std::int64_t, unsigned int> block_of;
@@ -83,6 +94,21 @@ namespace Heddle
       for (std::size_t i = 0; i < rows.size(); ++i)
         for (unsigned int d = 0; d < 3; ++d)
           owned[block_of[*rows.key(i)]][d] = rows.value(i)[d];
+      return owned;
+    }
+
+
+
+    std::vector<Tensor<1, 3>>
+    read_positions(const ArchiveReader &archive,
+                   const std::string   &name,
+                   const State         &state)
+    {
+      if (!state.matrix() || archive.has(matrix_entry(name)))
+        return read_blocks(archive, name, state);
+      std::vector<Tensor<1, 3>> owned = read_fibers(archive, name, state);
+      for (unsigned int b = state.n_owned_fiber_blocks(); b < owned.size(); ++b)
+        owned[b] = state.matrix_reference(b);
       return owned;
     }
   } // namespace System

@@ -3,6 +3,7 @@
 
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/contributions/loads.h>
+#include <heddle/contributions/support_parameters.h>
 #include <heddle/contributions/supports.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/solver/newton.h>
@@ -39,16 +40,16 @@ straight_path(const Tensor<1, 3> &begin,
 class Scene
 {
 public:
-  Contributions::SupportParameters &
+  Contributions::Support &
   add_support()
   {
-    support_list.push_back(std::make_unique<Contributions::SupportParameters>(
+    support_list.push_back(std::make_shared<Contributions::SupportParameters>(
       "/Supports/Support " + std::to_string(support_list.size() + 1)));
     return *support_list.back();
   }
 
   /** A support that holds the ends @p nodes of @p fibers in every respect. */
-  Contributions::SupportParameters &
+  Contributions::Support &
   clamp(const std::string &nodes, const std::string &fibers = "all")
   {
     auto &support        = add_support();

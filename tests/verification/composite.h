@@ -36,7 +36,7 @@ public:
   }
 
   /** A support of sides of the matrix alone. */
-  Contributions::SupportParameters &
+  Contributions::Support &
   hold(const std::vector<std::string> &sides)
   {
     auto &support        = add_support();

@@ -98,6 +98,8 @@ namespace Heddle
       {
         if (archive.has(name() + "/displacements"))
           load(archive, state);
+        else
+          forget();
       }
 
     private:

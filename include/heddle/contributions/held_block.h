@@ -1,7 +1,7 @@
 #ifndef heddle_contributions_held_block_h
 #define heddle_contributions_held_block_h
 
-#include <heddle/contributions/support_parameters.h>
+#include <heddle/contributions/support.h>
 #include <heddle/system/state.h>
 
 #include <array>

@@ -4,7 +4,7 @@
 #include <heddle/base/expression.h>
 #include <heddle/contributions/external_work.h>
 #include <heddle/contributions/held_block.h>
-#include <heddle/contributions/support_parameters.h>
+#include <heddle/contributions/support.h>
 #include <heddle/system/contribution.h>
 
 #include <array>
@@ -83,6 +83,14 @@ namespace Heddle
 
       void
       load(const ArchiveReader &archive, const System::State &state) override;
+
+    protected:
+      /** All that is held, on all ranks. */
+      const std::vector<HeldBlock> &
+      held_blocks() const
+      {
+        return blocks;
+      }
 
     private:
       /** The formulas of one support; free components have none. */

@@ -7,6 +7,7 @@
 #include <heddle/contributions/support_parameters.h>
 #include <heddle/io/output_parameters.h>
 #include <heddle/simulation/centerline_parameters.h>
+#include <heddle/simulation/fabric_loading_parameters.h>
 #include <heddle/simulation/fiber_parameters.h>
 #include <heddle/simulation/matrix_parameters.h>
 #include <heddle/simulation/ordering_stage.h>
@@ -30,6 +31,13 @@ namespace Heddle
       /** Declare the sections and give them the values of @p file. */
       explicit Parameters(const ParameterFile &file);
 
+      /** Whether anything holds the fibers. */
+      bool
+      are_held() const
+      {
+        return fabric_loading.is_active() || !supports.empty();
+      }
+
       /** Throw InputError if @p file describes no scene, or another one. */
       void
       check(const ParameterFile &file) const;
@@ -47,6 +55,7 @@ namespace Heddle
       OrderingParameters             ordering;
       RestartParameters              restart;
       MatrixParameters               matrix;
+      FabricLoadingParameters        fabric_loading;
       Contributions::SupportList     supports;
       Contributions::LoadList        loads;
       Solver::LoadSteppingParameters load_stepping;

@@ -90,6 +90,10 @@ namespace Heddle
       void
       read_initial_configuration(const std::string &path);
 
+      /** Go to the one that this run has computed, or was given. */
+      void
+      return_to_initial_configuration();
+
       /** Write how it ended. */
       void
       finish(const IO::Summary::Status status, const std::string &reason);

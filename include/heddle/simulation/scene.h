@@ -96,9 +96,12 @@ namespace Heddle
       bool
       ends_initially(const unsigned int stage) const;
 
-      /** What all contributions report, by name with unit. */
+      /**
+       * What all contributions report, by name with unit. Of several of the
+       * same name, those of load cases, the one of @p stage does.
+       */
       std::map<std::string, double>
-      report() const;
+      report(const unsigned int stage = 0) const;
 
       const std::vector<Stage> &
       stages() const
@@ -163,8 +166,14 @@ namespace Heddle
       void
       add_settle_stages();
 
+      /** A stage in which @p supports hold the fibers. */
       void
-      add_load_stage();
+      add_load_stage(const std::string                           &name,
+                     const std::shared_ptr<System::Contribution> &supports);
+
+      /** A stage for each load case of the fabric. */
+      void
+      add_load_cases();
 
       /** The fibers are about to be loaded from where they lie. */
       void
@@ -181,6 +190,7 @@ namespace Heddle
       std::shared_ptr<Contributions::FiberFriction>   fiber_friction;
       std::shared_ptr<System::Contribution>           guides;
       std::unique_ptr<Matrix>                         composite;
+      std::vector<Contributions::FabricCase>          fabric_cases;
       std::vector<Stage>                              all_stages;
     };
   } // namespace Simulation

@@ -31,6 +31,9 @@ namespace Heddle
        */
       bool is_loaded = false;
 
+      /** Whether it begins in the initial configuration, as all cases do. */
+      bool begins_initially = false;
+
       /** Prepares the scene when the stage begins, not when it is resumed. */
       std::function<void()> begin = [] {};
 

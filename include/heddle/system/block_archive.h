@@ -14,7 +14,7 @@ namespace Heddle
     /**
      * Write what belongs to the owned blocks: a table @p name for those of the
      * fibers, and records by the identity of the node for those of the matrix.
-     * @note Collective, like the function below.
+     * @note Collective, like the functions below.
      */
     void
     write_blocks(ArchiveWriter                   &archive,
@@ -27,6 +27,15 @@ namespace Heddle
     read_blocks(const ArchiveReader &archive,
                 const std::string   &name,
                 const State         &state);
+
+    /**
+     * The same for positions. A matrix that was not there yet when they were
+     * written is at rest.
+     */
+    std::vector<Tensor<1, 3>>
+    read_positions(const ArchiveReader &archive,
+                   const std::string   &name,
+                   const State         &state);
   } // namespace System
 } // namespace Heddle
 

@@ -1,0 +1,113 @@
+#ifndef heddle_contributions_fabric_supports_h
+#define heddle_contributions_fabric_supports_h
+
+#include <heddle/contributions/fabric_motion.h>
+#include <heddle/contributions/supports.h>
+
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /** One load case of a woven sample. */
+    struct FabricCase
+    {
+      std::string  name;
+      SupportList  supports; /**< of the sides x-, x+, y-, y+ */
+      FabricMotion motion;
+
+      /** Whether it is pulled along warp and weft: their length is a load. */
+      FabricMotion::Both<bool> pulls;
+    };
+
+
+
+    /** Of warp and weft: what their forces are divided by. */
+    struct FabricSize
+    {
+      FabricMotion::Both<double>       width;   /**< across them [mm] */
+      FabricMotion::Both<unsigned int> n_yarns; /**< side by side */
+    };
+
+
+
+    /**
+     * The supports of the four sides of a woven sample, and what a test of it
+     * measures: lengths, forces, couple.
+     */
+    class FabricSupports : public Supports
+    {
+    public:
+      /** @p test is to live as long as this. */
+      FabricSupports(const System::FiberSpace        &space,
+                     const std::vector<Tensor<1, 3>> &reference,
+                     const FabricCase                &test,
+                     const FabricSize                &size);
+
+      void
+      begin_stage(const System::State &state) override;
+
+      void
+      observe(const System::BlockSystem &system) override;
+
+      /** That of all supports, and the test's strains, forces, stiffnesses. */
+      void
+      report(const System::State           &state,
+             std::map<std::string, double> &values) const override;
+
+      void
+      accept_step(const System::State &state) override;
+
+      /** Also what stiffnesses are differences to. */
+      void
+      save(ArchiveWriter &archive, const System::State &state) const override;
+
+      void
+      load(const ArchiveReader &archive, const System::State &state) override;
+
+    private:
+      template <typename Value>
+      using Both = FabricMotion::Both<Value>;
+
+      /** What is measured in one configuration. */
+      struct Measured
+      {
+        Both<double> length        = {}; /**< between the sides [mm] */
+        Both<double> force         = {}; /**< mean of the two sides [N] */
+        Both<double> matrix_force  = {}; /**< part of it on the matrix [N] */
+        Both<double> work_force    = {}; /**< conjugate to the length [N] */
+        double       angle         = 0.; /**< shear angle [rad] */
+        double       couple        = 0.; /**< conjugate to it [N mm] */
+        double       matrix_couple = 0.; /**< part of it [N mm] */
+      };
+
+      /** Find on which sides the held blocks are, and the lengths at rest. */
+      void
+      find_sides(const System::State &state);
+
+      /** From the middles of the four sides, by the ends of the fibers. */
+      Both<double>
+      lengths(const std::vector<Tensor<1, 3>> &middles,
+              const double                     load_factor) const;
+
+      /** Difference quotient over the last step, NaN if nothing moved. */
+      static double
+      slope(const double value,
+            const double value_before,
+            const double at,
+            const double at_before);
+
+      const FabricCase         &test;
+      const FabricSize          size;
+      std::vector<unsigned int> sides_of; /**< bits, of each held block */
+      Both<double>              rest_length = {};
+      Measured                  now, last, before;
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

@@ -1,0 +1,303 @@
+#include <heddle/base/reduce.h>
+#include <heddle/contributions/fabric_supports.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    namespace
+    {
+      /** Directions of a fabric and sides of a sample. */
+      constexpr unsigned int n_directions = 2, n_sides = 4;
+
+      const std::array<std::string, n_directions> direction_names = {
+        {"warp", "weft"}};
+
+      /** Strains, and angles, closer than this are the same [-]. */
+      constexpr double same_strain = 1e-12;
+
+      /** What is held of a force on a block, or of its motion. */
+      Tensor<1, 3>
+      held_part(const HeldBlock &held, const Tensor<1, 3> &force)
+      {
+        Tensor<1, 3> part;
+        for (unsigned int d = 0; d < 3; ++d)
+          if (held.holder[d] != HeldBlock::nobody)
+            part[d] = force[d];
+        return part;
+      }
+    } // namespace
+
+
+
+    FabricSupports::FabricSupports(const System::FiberSpace        &space,
+                                   const std::vector<Tensor<1, 3>> &reference,
+                                   const FabricCase                &test,
+                                   const FabricSize                &size)
+      : Supports(space, reference, test.supports)
+      , test(test)
+      , size(size)
+    {
+    }
+
+
+
+    void
+    FabricSupports::begin_stage(const System::State &state)
+    {
+      Supports::begin_stage(state);
+      find_sides(state);
+    }
+
+
+
+    void
+    FabricSupports::find_sides(const System::State &state)
+    {
+      std::array<std::set<unsigned int>, n_sides> nodes;
+      if (state.matrix())
+        for (unsigned int side = 0; side < n_sides; ++side)
+          {
+            const auto on_side = state.matrix()->nodes_on_side(side);
+            nodes[side].insert(on_side.begin(), on_side.end());
+          }
+
+      sides_of.clear();
+      std::array<Tensor<1, 3>, n_sides> sums;
+      std::array<double, n_sides>       counts = {};
+      for (const HeldBlock &held : held_blocks())
+        {
+          unsigned int bits = 0;
+          for (unsigned int side = 0; side < n_sides; ++side)
+            if (held.is_in_matrix())
+              bits |= nodes[side].count(held.block) << side;
+            else
+              for (const unsigned int holder : held.holder)
+                if (holder == side)
+                  bits |= 1u << side;
+          sides_of.push_back(bits);
+          for (unsigned int side = 0; side < n_sides; ++side)
+            if (!held.is_in_matrix() &&
+                held.kind == HeldBlock::Kind::position && (bits >> side & 1u))
+              {
+                sums[side] += held.reference;
+                counts[side] += 1.;
+              }
+        }
+      std::vector<Tensor<1, 3>> middles;
+      for (unsigned int side = 0; side < n_sides; ++side)
+        middles.push_back(sums[side] / counts[side]);
+      rest_length = lengths(middles, 0.);
+      now         = {};
+      now.length  = rest_length;
+      last = before = now;
+    }
+
+
+
+    FabricSupports::Both<double>
+    FabricSupports::lengths(const std::vector<Tensor<1, 3>> &middles,
+                            const double                     load_factor) const
+    {
+      const auto   along = test.motion.directions(load_factor);
+      const double area  = cross_product_3d(along[0], along[1])[2];
+      Both<double> result;
+      for (unsigned int i = 0; i < n_directions; ++i)
+        {
+          // What one family extends along its direction, whatever it is
+          // displaced along that of the other.
+          const Tensor<1, 3> span = middles[2 * i + 1] - middles[2 * i];
+          const double part = (i == 0 ? cross_product_3d(span, along[1])[2]
+                                      : cross_product_3d(along[0], span)[2]) /
+                              area;
+          result[i] = part * along[i].norm();
+        }
+      return result;
+    }
+
+
+
+    void
+    FabricSupports::observe(const System::BlockSystem &system)
+    {
+      Supports::observe(system);
+      const System::State &state   = system.state;
+      const double         t       = state.load_factor;
+      const auto           along   = test.motion.directions(t);
+      const auto           turning = test.motion.turning(t);
+      const auto           rates   = test.motion.turn_rates();
+
+      // By side: force, that on the matrix, middle of the ends of fibers and
+      // their number; then what is conjugate to both strains and to the angle.
+      constexpr unsigned int                         n_of_side = 10;
+      std::array<double, n_of_side *n_sides + 2 + 2> sums      = {};
+      double *const conjugate = sums.data() + n_of_side * n_sides;
+      for (unsigned int k = 0; k < sides_of.size(); ++k)
+        {
+          const HeldBlock   &held  = held_blocks()[k];
+          const unsigned int block = held.local_block(state);
+          if (block >= state.n_owned_blocks())
+            continue;
+          const Tensor<1, 3>  force = held_part(held, system.residual()[block]);
+          const Tensor<1, 3> &place = state.current()[block];
+          double              couple = 0.;
+          if (held.kind == HeldBlock::Kind::position)
+            {
+              for (unsigned int side = 0; side < n_sides; ++side)
+                if (sides_of[k] >> side & 1u)
+                  {
+                    double *sum = sums.data() + n_of_side * side;
+                    for (unsigned int d = 0; d < 3; ++d)
+                      {
+                        sum[d] += force[d];
+                        if (held.is_in_matrix())
+                          sum[3 + d] += force[d];
+                        else
+                          sum[6 + d] += place[d];
+                      }
+                    sum[9] += held.is_in_matrix() ? 0. : 1.;
+                  }
+              for (unsigned int i = 0; i < n_directions; ++i)
+                {
+                  conjugate[i] += (force * along[i]) * held.reference[i];
+                  couple += (force * turning[i]) * held.reference[i] *
+                            (1. + test.motion.strain(i, t));
+                }
+            }
+          else
+            {
+              const unsigned int family = held.holder[0] / 2;
+              const Tensor<1, 3> axis({0., 0., rates[family]});
+              couple = force * cross_product_3d(axis, place);
+            }
+          conjugate[2] += couple;
+          conjugate[3] += held.is_in_matrix() ? couple : 0.;
+        }
+      sum_over_ranks(sums, state.space.communicator());
+
+      std::vector<Tensor<1, 3>> forces, of_matrix, middles;
+      for (unsigned int side = 0; side < n_sides; ++side)
+        {
+          const double *sum = sums.data() + n_of_side * side;
+          forces.push_back(Tensor<1, 3>({sum[0], sum[1], sum[2]}));
+          of_matrix.push_back(Tensor<1, 3>({sum[3], sum[4], sum[5]}));
+          middles.push_back(Tensor<1, 3>({sum[6], sum[7], sum[8]}) / sum[9]);
+        }
+      now.length = lengths(middles, t);
+      for (unsigned int i = 0; i < n_directions; ++i)
+        {
+          const Tensor<1, 3> outward = along[i] / along[i].norm();
+          now.force[i] = 0.5 * (forces[2 * i + 1] - forces[2 * i]) * outward;
+          now.matrix_force[i] =
+            0.5 * (of_matrix[2 * i + 1] - of_matrix[2 * i]) * outward;
+          now.work_force[i] = conjugate[i] / rest_length[i];
+        }
+      now.angle         = test.motion.shear_angle(t);
+      now.couple        = conjugate[2];
+      now.matrix_couple = conjugate[3];
+    }
+
+
+
+    double
+    FabricSupports::slope(const double value,
+                          const double value_before,
+                          const double at,
+                          const double at_before)
+    {
+      return std::abs(at - at_before) > same_strain
+               ? (value - value_before) / (at - at_before)
+               : std::numeric_limits<double>::quiet_NaN();
+    }
+
+
+
+    void
+    FabricSupports::report(const System::State           &state,
+                           std::map<std::string, double> &values) const
+    {
+      Supports::report(state, values);
+      const bool has_matrix = !test.supports[0]->matrix_sides.empty();
+      for (unsigned int i = 0; i < n_directions; ++i)
+        {
+          const std::string name   = direction_names[i];
+          const double      length = rest_length[i], width = size.width[i];
+          const auto        strain = [&](const Measured &measured) {
+            return length > 0. ? measured.length[i] / length - 1. : 0.;
+          };
+          values[name + "_length[mm]"]            = last.length[i];
+          values[name + "_strain[-]"]             = strain(last);
+          values[name + "_force[N]"]              = last.force[i];
+          values[name + "_force_per_width[N/mm]"] = last.force[i] / width;
+          values[name + "_force_per_yarn[N]"] = last.force[i] / size.n_yarns[i];
+          if (has_matrix)
+            values[name + "_matrix_force[N]"] = last.matrix_force[i];
+          if (test.pulls[i])
+            values[name + "_work_force[N]"] = last.work_force[i];
+          values[name + "_tangent_stiffness[N/mm]"] =
+            slope(last.force[i] / width,
+                  before.force[i] / width,
+                  strain(last),
+                  strain(before));
+        }
+      values["shear_angle[deg]"]   = last.angle * 180. / numbers::PI;
+      values["shear_couple[N*mm]"] = last.couple;
+      values["shear_couple_per_area[N/mm]"] =
+        last.couple / (size.width[0] * size.width[1]);
+      if (has_matrix)
+        values["shear_matrix_couple[N*mm]"] = last.matrix_couple;
+      values["shear_tangent_stiffness[N*mm/rad]"] =
+        slope(last.couple, before.couple, last.angle, before.angle);
+    }
+
+
+
+    void
+    FabricSupports::accept_step(const System::State &state)
+    {
+      Supports::accept_step(state);
+      before = last;
+      last   = now;
+    }
+
+
+
+    void
+    FabricSupports::save(ArchiveWriter       &archive,
+                         const System::State &state) const
+    {
+      Supports::save(archive, state);
+      for (unsigned int i = 0; i < n_directions; ++i)
+        {
+          const std::string begin = name() + "/" + direction_names[i];
+          archive.write_number(begin + " length", last.length[i]);
+          archive.write_number(begin + " force", last.force[i]);
+        }
+      archive.write_number(name() + "/shear angle", last.angle);
+      archive.write_number(name() + "/shear couple", last.couple);
+    }
+
+
+
+    void
+    FabricSupports::load(const ArchiveReader &archive,
+                         const System::State &state)
+    {
+      Supports::load(archive, state);
+      find_sides(state);
+      for (unsigned int i = 0; i < n_directions; ++i)
+        {
+          const std::string begin = name() + "/" + direction_names[i];
+          last.length[i]          = archive.read_number(begin + " length");
+          last.force[i]           = archive.read_number(begin + " force");
+        }
+      last.angle  = archive.read_number(name() + "/shear angle");
+      last.couple = archive.read_number(name() + "/shear couple");
+    }
+  } // namespace Contributions
+} // namespace Heddle

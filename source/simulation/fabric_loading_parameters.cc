@@ -1,0 +1,236 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/simulation/fabric_loading_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      const std::string fabric_loading = "Fabric loading: ";
+
+      std::string
+      shortly(const double value)
+      {
+        std::ostringstream text;
+        text << value;
+        return text.str();
+      }
+    } // namespace
+
+
+
+    FabricLoadingParameters::FabricLoadingParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      add_parameter("Kind",
+                    kind,
+                    "Test of a weave, whose four sides are moved: the ends of "
+                    "its fibers and, if it has one, the sides of its matrix. "
+                    "Every load case begins in the initial configuration. "
+                    "'none': supports and loads as listed, if any. No other "
+                    "entry is active then [-].",
+                    prm,
+                    Patterns::Selection("none|biaxial tension|uniaxial "
+                                        "tension|picture frame|simple shear"));
+      add_parameter("Strain",
+                    strain,
+                    "Engineering strain, where the ramp is 1, of the warp or, "
+                    "in uniaxial tension, of the direction in which it is "
+                    "pulled. Inactive in shear [-].");
+      add_parameter("Strain ratios",
+                    strain_ratios,
+                    "Strain of the warp over that of the weft, one load case "
+                    "each, as in '1, 2, 4'. Inactive unless 'Kind' is "
+                    "'biaxial tension' [-].",
+                    prm,
+                    Patterns::List(Patterns::Double(), 1));
+      add_parameter("Direction",
+                    direction,
+                    "Which yarns are pulled; their ends keep their places "
+                    "across. Inactive unless 'Kind' is 'uniaxial tension' [-].",
+                    prm,
+                    Patterns::Selection("warp|weft"));
+      add_parameter("Sides",
+                    sides,
+                    "What the two other sides do: 'held' keeps their distance, "
+                    "'free' leaves them free in the plane, for which there "
+                    "must be friction or a matrix. Both keep their height. "
+                    "Inactive unless 'Kind' is 'uniaxial tension' [-].",
+                    prm,
+                    Patterns::Selection("free|held"));
+      add_parameter("Shear angles",
+                    shear_angles,
+                    "By how much the angle between warp and weft gets smaller, "
+                    "where the ramp is 1, one load case each, as in '20, -20'. "
+                    "Inactive unless 'Kind' is 'picture frame' or 'simple "
+                    "shear' [degrees].",
+                    prm,
+                    Patterns::List(Patterns::Double(), 1));
+      add_parameter("Ends",
+                    ends,
+                    "'hinged': sections at the ends of fibers are free to "
+                    "turn; 'clamped': they turn with their side, or not at "
+                    "all where none turns. Sides that are free have free "
+                    "sections [-].",
+                    prm,
+                    Patterns::Selection("hinged|clamped"));
+      add_parameter("Ramp",
+                    ramp,
+                    "Formula of the load factor t by which strains and angles "
+                    "are multiplied, 0 at t = 0, for instance "
+                    "'1 - abs(2*t - 1)' to load and unload [-].");
+      parse_parameters_call_back.connect([this]() { check(); });
+    }
+
+
+
+    void
+    FabricLoadingParameters::check() const
+    {
+      if (!is_active())
+        return;
+      const Expression formula(ramp, fabric_loading + "\"Ramp\"");
+      require(std::abs(formula.value(Tensor<1, 3>(), 0.)) < 1e-12,
+              fabric_loading + "\"Ramp\" is \"" + ramp + "\", which is " +
+                shortly(formula.value(Tensor<1, 3>(), 0.)) +
+                " at t = 0; let it begin at 0.");
+      for (const double t : {0.3, 0.7, 1.})
+        require(formula.value(Tensor<1, 3>(), t) ==
+                  formula.value(Tensor<1, 3>({0.1, 0.2, 0.3}), t),
+                fabric_loading + "\"Ramp\" is \"" + ramp +
+                  "\", which is not the same everywhere; let it depend on t "
+                  "alone.");
+      require(strain > -1. && strain < 10.,
+              fabric_loading + "\"Strain\" is " + shortly(strain) +
+                "; it must lie between -1 and 10, and 0.02 are 2 %.");
+      const std::string entry = is_shear() ? "Shear angles" : "Strain ratios";
+      const auto        all   = numbers();
+      for (auto number = all.begin(); number != all.end(); ++number)
+        {
+          require(is_shear() || *number > 0.,
+                  fabric_loading + "\"Strain ratios\" names " +
+                    shortly(*number) +
+                    "; the strain of the warp over that of the weft must be "
+                    "positive.");
+          require(!is_shear() || (*number != 0. && std::abs(*number) < 90.),
+                  fabric_loading + "\"Shear angles\" names " +
+                    shortly(*number) +
+                    "; a shear angle is not 0 and lies between -90 and 90 "
+                    "degrees.");
+          require(std::none_of(all.begin(),
+                               number,
+                               [&](const double other) {
+                                 return name(other) == name(*number);
+                               }),
+                  fabric_loading + '"' + entry + "\" names " +
+                    shortly(*number) +
+                    " twice; each load case is computed once.");
+        }
+    }
+
+
+
+    std::vector<double>
+    FabricLoadingParameters::numbers() const
+    {
+      if (is_shear())
+        return shear_angles;
+      return kind == "biaxial tension" ? strain_ratios
+                                       : std::vector<double>{1.};
+    }
+
+
+
+    std::string
+    FabricLoadingParameters::name(const double number) const
+    {
+      if (kind == "biaxial tension")
+        return "biaxial " + shortly(number);
+      return is_shear() ? kind + " " + shortly(number)
+                        : "uniaxial " + direction;
+    }
+
+
+
+    Contributions::FabricMotion
+    FabricLoadingParameters::motion(const double number) const
+    {
+      using Motion = Contributions::FabricMotion;
+      if (is_shear())
+        return Motion({{0., 0.}},
+                      number * dealii::numbers::PI / 180.,
+                      kind == "simple shear" ? Motion::Shear::simple
+                                             : Motion::Shear::picture_frame,
+                      ramp);
+      Motion::Both<double> strains = {{strain, strain / number}};
+      if (kind == "uniaxial tension")
+        strains[direction == "warp" ? 1 : 0] = 0.;
+      return Motion(strains, 0., Motion::Shear::picture_frame, ramp);
+    }
+
+
+
+    Contributions::SupportList
+    FabricLoadingParameters::supports(const Contributions::FabricMotion &motion,
+                                      const bool matrix) const
+    {
+      const auto                 displacements = motion.displacements();
+      const auto                 angles        = motion.turn_angles();
+      const bool                 uniaxial      = kind == "uniaxial tension";
+      Contributions::SupportList list;
+      for (const std::string family : {"warp", "weft"})
+        for (const std::string side : {"-", "+"})
+          {
+            const unsigned int along   = family == "warp" ? 0 : 1;
+            const bool         lateral = uniaxial && family != direction;
+            auto support          = std::make_shared<Contributions::Support>();
+            support->where        = "Fabric loading";
+            support->nodes.fibers = family;
+            support->nodes.nodes  = side == "-" ? "first end" : "last end";
+            if (matrix)
+              support->matrix_sides = {"xy"[along] + side};
+            support->displacement = {{displacements[0], displacements[1], "0"}};
+            if (lateral)
+              {
+                support->displacement[1 - along] = "free";
+                if (sides == "free")
+                  support->displacement[along] = "free";
+              }
+            if (ends == "clamped" && !(lateral && leaves_yarns_free()))
+              {
+                support->section = is_shear() ? "turned" : "held";
+                support->angle   = angles[along];
+              }
+            list.push_back(support);
+          }
+      return list;
+    }
+
+
+
+    std::vector<Contributions::FabricCase>
+    FabricLoadingParameters::cases(const bool matrix) const
+    {
+      std::vector<Contributions::FabricCase> list;
+      if (is_active())
+        for (const double number : numbers())
+          {
+            const Contributions::FabricMotion moved = motion(number);
+            list.push_back({name(number),
+                            supports(moved, matrix),
+                            moved,
+                            {{!is_shear() && (kind != "uniaxial tension" ||
+                                              direction == "warp"),
+                              !is_shear() && (kind != "uniaxial tension" ||
+                                              direction == "weft")}}});
+          }
+      return list;
+    }
+  } // namespace Simulation
+} // namespace Heddle
