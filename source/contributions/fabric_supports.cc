@@ -132,6 +132,10 @@ namespace Heddle
       const auto           turning = test.motion.turning(t);
       const auto           rates   = test.motion.turn_rates();
 
+      const auto           turn_of = [&rates](const HeldBlock &held) {
+        return Tensor<1, 3>({0., 0., rates[held.holder[0] / 2]});
+      };
+
       // By side: force, that on the matrix, middle of the ends of fibers and
       // their number; then what is conjugate to both strains and to the angle.
       constexpr unsigned int                         n_of_side = 10;
@@ -145,6 +149,7 @@ namespace Heddle
             continue;
           const Tensor<1, 3>  force = held_part(held, system.residual()[block]);
           const Tensor<1, 3> &place = state.current()[block];
+          Tensor<1, 3>        lever  = place;
           double              couple = 0.;
           if (held.kind == HeldBlock::Kind::position)
             {
@@ -165,15 +170,18 @@ namespace Heddle
               for (unsigned int i = 0; i < n_directions; ++i)
                 {
                   conjugate[i] += (force * along[i]) * held.reference[i];
-                  couple += (force * turning[i]) * held.reference[i] *
+                  couple += (force * turning[i]) * held.position[i] *
                             (1. + test.motion.strain(i, t));
+                  lever -= along[i] * held.position[i] *
+                           (1. + test.motion.strain(i, t));
                 }
+              // The ends of a yarn turn about their middle.
+              if (!held.is_in_matrix())
+                couple += force * cross_product_3d(turn_of(held), lever);
             }
           else
             {
-              const unsigned int family = held.holder[0] / 2;
-              const Tensor<1, 3> axis({0., 0., rates[family]});
-              couple = force * cross_product_3d(axis, place);
+              couple = force * cross_product_3d(turn_of(held), place);
             }
           conjugate[2] += couple;
           conjugate[3] += held.is_in_matrix() ? couple : 0.;

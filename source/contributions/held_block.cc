@@ -93,11 +93,35 @@ namespace Heddle
 
 
 
-      /** Let @p collector know what support @p number holds of @p node. */
+      /** The middles of the nodes of each yarn, by its number [mm]. */
+      std::map<unsigned int, Tensor<1, 3>>
+      middles_of_yarns(const System::FiberSpace        &space,
+                       const std::vector<SelectedNode> &nodes)
+      {
+        std::map<unsigned int, Tensor<1, 3>> middles;
+        std::map<unsigned int, double>       counts;
+        for (const SelectedNode &node : nodes)
+          {
+            const unsigned int yarn = space.fiber(node.fiber).yarn_id;
+            middles[yarn] += node.reference[0];
+            counts[yarn] += 1.;
+          }
+        for (auto &middle : middles)
+          middle.second /= counts[middle.first];
+        return middles;
+      }
+
+
+
+      /**
+       * Let @p collector know what support @p number holds of @p node, which
+       * moves as what is at @p position.
+       */
       void
       hold_node(const Support      &support,
                 const unsigned int  number,
                 const SelectedNode &node,
+                const Tensor<1, 3> &position,
                 const unsigned int  n_blocks_per_node,
                 Collector          &collector)
       {
@@ -108,7 +132,7 @@ namespace Heddle
           held.fiber     = node.fiber;
           held.block     = node.node * n_blocks_per_node + block;
           held.kind      = kind;
-          held.position  = node.reference[0];
+          held.position  = position;
           held.reference = node.reference[block];
           collector.hold(held, node.node, d, number);
         };
@@ -180,9 +204,18 @@ namespace Heddle
                   support.entry("Held tangent components") +
                     " needs the element \"hermite\"; with \"" +
                     space.element().name() + "\" hold the section instead.");
-          for (const SelectedNode &node :
-               support.nodes.find_nodes(space, reference, support.where))
-            hold_node(support, i, node, space.n_blocks_per_node(), collector);
+          const std::vector<SelectedNode> nodes =
+            support.nodes.find_nodes(space, reference, support.where);
+          const auto middles = middles_of_yarns(space, nodes);
+          for (const SelectedNode &node : nodes)
+            hold_node(support,
+                      i,
+                      node,
+                      support.yarns_are_bodies ?
+                        middles.at(space.fiber(node.fiber).yarn_id) :
+                        node.reference[0],
+                      space.n_blocks_per_node(),
+                      collector);
           if (matrix)
             hold_sides(support, i, *matrix, collector);
         }

@@ -51,7 +51,7 @@ namespace Heddle
               motion.displacement[d] = std::make_unique<Expression>(
                 support->displacement[d],
                 support->entry(std::string("Displacement ") + "xyz"[d]));
-          if (support->section == "turned")
+          if (support->section == "turned" || support->yarns_are_bodies)
             {
               motion.angle = std::make_unique<Expression>(
                 support->angle, support->entry("Turn angle"));
@@ -73,26 +73,35 @@ namespace Heddle
 
 
 
+    Tensor<2, 3>
+    Supports::rotation(const HeldBlock &held, const double load_factor) const
+    {
+      for (const unsigned int holder : held.holder)
+        if (holder != HeldBlock::nobody && motions[holder].angle)
+          return Physics::Transformations::Rotations::rotation_matrix_3d(
+            motions[holder].axis,
+            motions[holder].angle->value(held.position, load_factor));
+      return unit_symmetric_tensor<3>();
+    }
+
+
+
     Tensor<1, 3>
     Supports::target(const HeldBlock &held, const double load_factor) const
     {
-      Tensor<1, 3> where = held.reference;
-      if (held.kind == HeldBlock::Kind::position)
-        {
-          for (unsigned int d = 0; d < 3; ++d)
-            if (held.holder[d] != HeldBlock::nobody)
-              where[d] += motions[held.holder[d]].displacement[d]->value(
-                held.position, load_factor);
-        }
-      else if (held.kind != HeldBlock::Kind::tangent)
-        {
-          const Motion &motion = motions[held.holder[0]];
-          if (motion.angle)
-            where =
-              Physics::Transformations::Rotations::rotation_matrix_3d(
-                motion.axis, motion.angle->value(held.position, load_factor)) *
-              held.reference;
-        }
+      if (held.kind == HeldBlock::Kind::tangent)
+        return held.reference;
+      const Tensor<2, 3> turned = rotation(held, load_factor);
+      if (held.kind != HeldBlock::Kind::position)
+        return turned * held.reference;
+
+      // A node moves as its position does, and turns about that with its body.
+      Tensor<1, 3> where =
+        held.position + turned * (held.reference - held.position);
+      for (unsigned int d = 0; d < 3; ++d)
+        if (held.holder[d] != HeldBlock::nobody)
+          where[d] += motions[held.holder[d]].displacement[d]->value(
+            held.position, load_factor);
       return where;
     }
 

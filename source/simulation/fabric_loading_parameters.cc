@@ -202,10 +202,11 @@ namespace Heddle
                 if (sides == "free")
                   support->displacement[along] = "free";
               }
+            support->yarns_are_bodies = is_shear();
+            support->angle            = angles[along];
             if (ends == "clamped" && !(lateral && leaves_yarns_free()))
               {
                 support->section = is_shear() ? "turned" : "held";
-                support->angle   = angles[along];
               }
             list.push_back(support);
           }

@@ -31,7 +31,8 @@ namespace Heddle
       unsigned int fiber;
       unsigned int block; /**< counted from the fiber's first */
       Kind         kind;
-      Tensor<1, 3> position;  /**< reference position of its node [mm] */
+      /** Of its node, or the middle of the body with which it moves [mm]. */
+      Tensor<1, 3> position;
       Tensor<1, 3> reference; /**< the block in the reference configuration */
 
       /** Number of the support that holds a component, or nobody. */

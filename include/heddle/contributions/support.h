@@ -27,6 +27,12 @@ namespace Heddle
       Tensor<1, 3>               axis         = Tensor<1, 3>({0., 0., 1.});
       std::vector<std::string>   held_tangent;
 
+      /**
+       * The ends of a yarn move as one body: as their middle is displaced, and
+       * turned about it by the angle. Fibers that touch keep their distance.
+       */
+      bool yarns_are_bodies = false;
+
       /** Numbers of the sides of the matrix, x-, x+, y-, y+, z-, z+. */
       std::vector<unsigned int>
       sides() const

@@ -108,6 +108,10 @@ namespace Heddle
         Tensor<1, 3> of_matrix; /**< part of the force on the matrix [N] */
       };
 
+      /** The rotation of the sections that a support holds. */
+      Tensor<2, 3>
+      rotation(const HeldBlock &held, const double load_factor) const;
+
       /** Where the motion takes a block; free components: its reference. */
       Tensor<1, 3>
       target(const HeldBlock &held, const double load_factor) const;
