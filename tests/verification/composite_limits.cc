@@ -60,6 +60,10 @@ yielding_along(const unsigned int n_cells)
   // Only displacements along the fiber: those do not depend on x.
   scene.hold({"x-", "x+"}).displacement = {{"free", "0", "0"}};
   scene.add_load().force_per_length     = {{"1e-6", "0", "0"}};
+  // Nothing else keeps the fiber from turning about its axis.
+  auto &held       = scene.add_support();
+  held.nodes.nodes = "first end";
+  held.section     = "held";
   scene.embed({straight_path(Tensor<1, 3>({0., side / 2, side / 2}),
                              Tensor<1, 3>({length, side / 2, side / 2}),
                              5,

@@ -27,6 +27,10 @@ transfer_length(const std::string &element,
   scene.fibers.poisson_ratio                                    = 0.;
   scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"}).displacement = {
     {"1e-6*x", "0", "0"}};
+  // Nothing else keeps the fiber from turning about its axis.
+  auto &held       = scene.add_support();
+  held.nodes.nodes = "first end";
+  held.section     = "held";
   scene.embed({straight_path(Tensor<1, 3>({0., 2., 2.}),
                              Tensor<1, 3>({length, 2., 2.}),
                              n_elements + 1,
