@@ -132,7 +132,7 @@ namespace Heddle
       const auto           turning = test.motion.turning(t);
       const auto           rates   = test.motion.turn_rates();
 
-      const auto           turn_of = [&rates](const HeldBlock &held) {
+      const auto turn_of = [&rates](const HeldBlock &held) {
         return Tensor<1, 3>({0., 0., rates[held.holder[0] / 2]});
       };
 
@@ -149,7 +149,7 @@ namespace Heddle
             continue;
           const Tensor<1, 3>  force = held_part(held, system.residual()[block]);
           const Tensor<1, 3> &place = state.current()[block];
-          Tensor<1, 3>        lever  = place;
+          Tensor<1, 3>        lever = place;
           double              couple = 0.;
           if (held.kind == HeldBlock::Kind::position)
             {

@@ -211,9 +211,9 @@ namespace Heddle
             hold_node(support,
                       i,
                       node,
-                      support.yarns_are_bodies ?
-                        middles.at(space.fiber(node.fiber).yarn_id) :
-                        node.reference[0],
+                      support.yarns_are_bodies
+                        ? middles.at(space.fiber(node.fiber).yarn_id)
+                        : node.reference[0],
                       space.n_blocks_per_node(),
                       collector);
           if (matrix)

@@ -73,100 +73,96 @@ namespace Heddle
                                const System::BlockSystem    &system)
       : parameters(parameters)
       , system(system)
-      , direct(choose_direct(parameters, system))
     {
-      petsc(KSPCreate(system.state.space.communicator(), &ksp));
+      if (choose_direct(parameters, system))
+        return;
+      petsc(KSPCreate(system.state.space.communicator(), &iterating));
       PC pc;
-      petsc(KSPGetPC(ksp, &pc));
-      if (direct)
-        {
-          petsc(KSPSetType(ksp, KSPPREONLY));
-          petsc(PCSetType(pc, system.is_symmetric() ? PCCHOLESKY : PCLU));
-          petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-
-          // Pivoting needs more room than the analysis foresees, on many ranks
-          // above all: leave 200 percent.
-          set_default("-mat_mumps_icntl_14", "200");
-        }
-      else
-        {
-          petsc(KSPSetType(ksp, KSPCG));
-          petsc(KSPSetNormType(ksp, KSP_NORM_NATURAL));
-          petsc(KSPSetTolerances(ksp,
-                                 parameters.tolerance,
-                                 PETSC_DEFAULT,
-                                 PETSC_DEFAULT,
-                                 parameters.max_iterations));
-          preconditioner = std::make_unique<BlockPreconditioner>(system.state);
-          preconditioner->attach_to(pc);
-        }
-      petsc(KSPSetFromOptions(ksp));
+      petsc(KSPGetPC(iterating, &pc));
+      petsc(KSPSetType(iterating, KSPCG));
+      petsc(KSPSetNormType(iterating, KSP_NORM_NATURAL));
+      petsc(KSPSetTolerances(iterating,
+                             parameters.tolerance,
+                             PETSC_DEFAULT,
+                             PETSC_DEFAULT,
+                             parameters.max_iterations));
+      preconditioner = std::make_unique<BlockPreconditioner>(system.state);
+      preconditioner->attach_to(pc);
+      petsc(KSPSetFromOptions(iterating));
     }
 
 
 
     LinearSolver::~LinearSolver()
     {
-      KSPDestroy(&ksp);
-    }
-
-
-
-    std::string
-    LinearSolver::name() const
-    {
-      if (!direct)
-        return system.state.matrix()
-                 ? "conjugate gradients with fiber blocks and matrix block"
-                 : "conjugate gradients with fiber blocks";
-      return system.is_symmetric() ? "MUMPS LDL^T" : "MUMPS LU";
-    }
-
-
-
-    bool
-    LinearSolver::set_up_succeeds()
-    {
-      petsc(KSPSetUp(ksp));
-      PC             pc;
-      PCFailedReason reason;
-      petsc(KSPGetPC(ksp, &pc));
-      petsc(PCGetFailedReason(pc, &reason));
-      if (Utilities::MPI::max(reason == PC_NOERROR ? 0 : 1,
-                              system.state.space.communicator()) == 0)
-        return true;
-
-      // After a zero pivot PETSc's interface to MUMPS takes any further
-      // factorization for done: it has to begin with the analysis.
-      petsc(PCReset(pc));
-      return false;
+      KSPDestroy(&iterating);
+      KSPDestroy(&factorizing);
     }
 
 
 
     LinearResult
-    LinearSolver::solve()
+    LinearSolver::solve(const bool exactly)
     {
-      petsc(KSPSetOperators(ksp, system.tangent(), system.tangent()));
-      if (preconditioner)
-        preconditioner->set_up(system.tangent());
       LinearResult result;
-      if (!set_up_succeeds())
-        {
-          result.singular = true;
-          return result;
-        }
-      petsc(KSPSolve(ksp, system.right_hand_side(), system.solution()));
+      if (iterating && (iterate(result) || !exactly))
+        return result;
+      factorize(result);
+      return result;
+    }
 
+
+
+    bool
+    LinearSolver::iterate(LinearResult &result)
+    {
+      preconditioner->set_up(system.tangent());
+      petsc(KSPSetOperators(iterating, system.tangent(), system.tangent()));
+      petsc(KSPSolve(iterating, system.right_hand_side(), system.solution()));
       KSPConvergedReason reason;
       PetscInt           iterations;
-      petsc(KSPGetConvergedReason(ksp, &reason));
-      petsc(KSPGetIterationNumber(ksp, &iterations));
-      result.iterations = direct ? 0 : iterations;
-      result.indefinite = reason == KSP_DIVERGED_INDEFINITE_MAT ||
-                          reason == KSP_DIVERGED_INDEFINITE_PC;
-      result.converged = reason > 0;
-      return result;
+      petsc(KSPGetConvergedReason(iterating, &reason));
+      petsc(KSPGetIterationNumber(iterating, &iterations));
+      result.iterations = iterations;
+      return reason > 0;
+    }
+
+
+
+    void
+    LinearSolver::factorize(LinearResult &result)
+    {
+      PC pc;
+      if (!factorizing)
+        {
+          petsc(KSPCreate(system.state.space.communicator(), &factorizing));
+          petsc(KSPGetPC(factorizing, &pc));
+          petsc(KSPSetType(factorizing, KSPPREONLY));
+          petsc(PCSetType(pc, system.is_symmetric() ? PCCHOLESKY : PCLU));
+          petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+
+          // Pivoting needs more room than the analysis foresees, on many ranks
+          // above all: leave 200 percent.
+          set_default("-mat_mumps_icntl_14", "200");
+          petsc(KSPSetFromOptions(factorizing));
+        }
+      petsc(KSPSetOperators(factorizing, system.tangent(), system.tangent()));
+      petsc(KSPSetUp(factorizing));
+      result.factorizations = 1;
+
+      PCFailedReason reason;
+      petsc(KSPGetPC(factorizing, &pc));
+      petsc(PCGetFailedReason(pc, &reason));
+      result.singular =
+        Utilities::MPI::max(reason == PC_NOERROR ? 0 : 1,
+                            system.state.space.communicator()) > 0;
+      if (result.singular)
+        // After a zero pivot PETSc's interface to MUMPS takes any further
+        // factorization for done: it has to begin with the analysis.
+        petsc(PCReset(pc));
+      else
+        petsc(
+          KSPSolve(factorizing, system.right_hand_side(), system.solution()));
     }
   } // namespace Solver
 } // namespace Heddle

@@ -246,10 +246,12 @@ namespace Heddle
             if (rough)
               damping->add_to(*block_system, state);
             block_system->end();
-            const LinearResult linear = linear_solver->solve();
+
+            // Damping mends what is not positive definite, where there is any.
+            const LinearResult linear = linear_solver->solve(!rough);
             singular                  = linear.singular;
             result.linear_iterations += linear.iterations;
-            result.factorizations += linear_solver->is_direct() ? 1 : 0;
+            result.factorizations += linear.factorizations;
             block_system->extract_increment(increment);
           }
 

@@ -68,7 +68,7 @@ test(const std::string &element,
   std::vector<Tensor<1, 3>> start;
   system.unbalanced(start);
   Solver::LinearSolver solver(scene.linear, system);
-  solver.solve();
+  solver.solve(true);
   System::Increment step;
   system.extract_increment(step);
 

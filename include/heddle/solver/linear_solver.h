@@ -39,10 +39,9 @@ namespace Heddle
     /** How the linear system of a Newton iteration was solved. */
     struct LinearResult
     {
-      unsigned int iterations = 0; /**< 0 for a factorization */
-      bool         indefinite = false;
-      bool         singular   = false; /**< then there is no solution */
-      bool         converged  = true;
+      unsigned int iterations     = 0; /**< of conjugate gradients */
+      unsigned int factorizations = 0;
+      bool         singular       = false; /**< then there is no solution */
     };
 
     /**
@@ -62,33 +61,28 @@ namespace Heddle
       LinearSolver &
       operator=(const LinearSolver &) = delete;
 
-      /** Whether solutions are exact to round-off. */
-      bool
-      is_direct() const
-      {
-        return direct;
-      }
-
-      /** "MUMPS LDL^T" and the like. */
-      std::string
-      name() const;
-
       /**
        * Solve system.tangent() * system.solution() = system.right_hand_side().
+       * Where conjugate gradients do not converge, since the tangent is not
+       * positive definite or in too many iterations, they hand over what they
+       * have, or, if it is to be solved @p exactly, it is factorized.
        * @note Collective.
        */
       LinearResult
-      solve();
+      solve(const bool exactly);
 
     private:
-      /** Whether there is a factorization, if one is to be made. */
+      /** Return whether it converged. */
       bool
-      set_up_succeeds();
+      iterate(LinearResult &result);
+
+      void
+      factorize(LinearResult &result);
 
       const LinearSolverParameters        &parameters;
       const System::BlockSystem           &system;
-      const bool                           direct;
-      KSP                                  ksp = nullptr;
+      KSP                                  iterating   = nullptr;
+      KSP                                  factorizing = nullptr;
       std::unique_ptr<BlockPreconditioner> preconditioner;
     };
   } // namespace Solver
