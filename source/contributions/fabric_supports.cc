@@ -21,6 +21,18 @@ namespace Heddle
       /** Strains, and angles, closer than this are the same [-]. */
       constexpr double same_strain = 1e-12;
 
+      /** 0 for the ends of warp yarns, 1 for those of weft yarns. */
+      unsigned int
+      family_of(const HeldBlock &held)
+      {
+        for (const unsigned int holder : held.holder)
+          if (holder != HeldBlock::nobody)
+            return holder / 2;
+        return 0;
+      }
+
+
+
       /** What is held of a force on a block, or of its motion. */
       Tensor<1, 3>
       held_part(const HeldBlock &held, const Tensor<1, 3> &force)
@@ -133,7 +145,7 @@ namespace Heddle
       const auto           rates   = test.motion.turn_rates();
 
       const auto turn_of = [&rates](const HeldBlock &held) {
-        return Tensor<1, 3>({0., 0., rates[held.holder[0] / 2]});
+        return Tensor<1, 3>({0., 0., rates[family_of(held)]});
       };
 
       // By side: force, that on the matrix, middle of the ends of fibers and
