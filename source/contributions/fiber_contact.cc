@@ -552,8 +552,9 @@ namespace Heddle
           sum += energy(element) * (cells.cells()[element.cell].hardened - 1.);
       hardening += Utilities::MPI::sum(sum, space.communicator());
       cells.accept();
-      accepted_cells  = cells.cells();
-      accepted_active = statistics.n_active;
+      accepted_cells     = cells.cells();
+      accepted_active    = statistics.n_active;
+      largest_mean_force = std::max(largest_mean_force, statistics.mean_force);
     }
 
 

@@ -122,6 +122,7 @@ namespace Heddle
           }
       archive.write(name() + "/forgiven penetrations", forgiven);
       archive.write_number(name() + "/hardening", hardening);
+      archive.write_number(name() + "/largest mean force", largest_mean_force);
       archive.write_number(name() + "/active", accepted_active);
     }
 
@@ -148,8 +149,9 @@ namespace Heddle
           cell.penalty              = records.value(i)[2];
           saved.push_back(cell);
         }
-      hardening              = archive.read_number(name() + "/hardening");
-      accepted_active        = archive.read_number(name() + "/active");
+      hardening          = archive.read_number(name() + "/hardening");
+      largest_mean_force = archive.read_number(name() + "/largest mean force");
+      accepted_active    = archive.read_number(name() + "/active");
       const Records forgiven = archive.read_records(
         name() + "/forgiven penetrations", [this](const std::int64_t *key) {
           return space.owns(key[0]) || space.owns(key[1]);

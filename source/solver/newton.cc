@@ -64,8 +64,9 @@ namespace Heddle
       add_parameter("Residual tolerance",
                     residual_tolerance,
                     "Largest unbalanced nodal force that is accepted, over the "
-                    "mean contact force, or over the largest force where "
-                    "nothing touches [-].",
+                    "mean contact force, which counts as no less than a "
+                    "hundredth of the largest in the stage, or over the "
+                    "largest force where nothing touches [-].",
                     prm,
                     Patterns::Double(1e-14, 1.));
       add_parameter("Increment tolerance",

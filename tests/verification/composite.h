@@ -22,6 +22,9 @@ public:
       " set Lower corner = 0, 0, 0\n" +
       entries + "end\n");
     ParameterAcceptor::parse_all_parameters();
+
+    // What is measured is the composite, to more digits than iterations leave.
+    linear.kind = "direct";
   }
 
   void

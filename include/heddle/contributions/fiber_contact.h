@@ -5,6 +5,7 @@
 #include <heddle/contact/contact_parameters.h>
 #include <heddle/system/contribution.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -98,10 +99,21 @@ namespace Heddle
       std::string
       objection(const System::State &state) const override;
 
+      /**
+       * The mean force of a contact now, at least a hundredth of the largest
+       * one that there was in this stage: where fibers come to rest forces that
+       * vanish are no measure.
+       */
       double
       typical_force() const override
       {
-        return statistics.mean_force;
+        return std::max(statistics.mean_force, 0.01 * largest_mean_force);
+      }
+
+      void
+      begin_stage(const System::State &) override
+      {
+        largest_mean_force = 0.;
       }
 
       std::string
@@ -216,6 +228,9 @@ namespace Heddle
 
       /** Energy that penalties have brought by growing [N mm]. */
       double hardening = 0.;
+
+      /** Over the accepted steps of this stage [N]. */
+      double largest_mean_force = 0.;
 
       Contact::ContactCells::Filter filter;
 
