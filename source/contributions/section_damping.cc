@@ -1,5 +1,7 @@
 #include <heddle/contributions/section_damping.h>
 
+#include <algorithm>
+
 namespace Heddle
 {
   namespace Contributions
@@ -8,7 +10,49 @@ namespace Heddle
     {
       /** Small beside the stiffness of the section, E A per length. */
       constexpr double relative_stiffness = 3e-4;
+
+      /** What a section may turn in an iteration [rad]. */
+      constexpr double wanted_turn = 0.05;
+
+      /** Largest change of the stiffness from one iteration to the next. */
+      constexpr double largest_factor = 3.;
+
+      /** Enough for a tangent that is not singular. */
+      constexpr double least_part = 1e-4;
     } // namespace
+
+
+
+    void
+    SectionDamping::begin_step(System::State &state)
+    {
+      const auto owned = state.space.owned_fibers();
+      parts.assign(owned.second - owned.first, 1.);
+    }
+
+
+
+    void
+    SectionDamping::predict(const System::State     &state,
+                            const System::Increment &increment)
+    {
+      const System::FiberSpace &space    = state.space;
+      const unsigned int        per_node = space.n_blocks_per_node();
+      const auto                owned    = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          double turn = 0.;
+          for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+            if (b % per_node > 0)
+              turn = std::max(turn, increment[state.local_block(f) + b].norm());
+          double &part = parts[f - owned.first];
+          part         = std::clamp(part * std::clamp(turn / wanted_turn,
+                                              1. / largest_factor,
+                                              largest_factor),
+                            least_part,
+                            1.);
+        }
+    }
 
 
 
@@ -26,8 +70,9 @@ namespace Heddle
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
           const System::Fiber &fiber = space.fiber(f);
-          const double stiffness = relative_stiffness * fiber.section.axial *
-                                   fiber.length / fiber.n_nodes;
+          const double stiffness = parts[f - owned.first] * relative_stiffness *
+                                   fiber.section.axial * fiber.length /
+                                   fiber.n_nodes;
           for (unsigned int b = 0; b < space.n_blocks(f); ++b)
             if (b % per_node > 0)
               system.add_diagonal(state.local_block(f) + b, stiffness);

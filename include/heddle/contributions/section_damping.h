@@ -3,6 +3,8 @@
 
 #include <heddle/system/contribution.h>
 
+#include <vector>
+
 namespace Heddle
 {
   namespace Contributions
@@ -14,7 +16,9 @@ namespace Heddle
      * force: a term of the tangent alone. Nothing resists the spin of a fiber
      * about its axis where no moment acts on it, and the tangent is singular;
      * an arbitrary spin, taken as the linear step that it is, would stretch the
-     * sections beyond repair.
+     * sections beyond repair. Sections that hardly turn any more are let go,
+     * fiber by fiber: what little resists their spin, friction of contacts with
+     * small forces for instance, would else come to bear very slowly.
      */
     class SectionDamping : public System::Contribution
     {
@@ -26,6 +30,13 @@ namespace Heddle
       }
 
       void
+      begin_step(System::State &state) override;
+
+      void
+      predict(const System::State     &state,
+              const System::Increment &increment) override;
+
+      void
       add_pattern(const System::State &,
                   System::BlockSystem::Pattern &) override
       {
@@ -34,6 +45,10 @@ namespace Heddle
       void
       assemble(const System::State &state,
                System::BlockSystem &system) override;
+
+    private:
+      /** What is left of the stiffness, from 1 down, by owned fiber. */
+      std::vector<double> parts;
     };
   } // namespace Contributions
 } // namespace Heddle
