@@ -11,14 +11,14 @@ namespace Heddle
       /** Small beside the stiffness of the section, E A per length. */
       constexpr double relative_stiffness = 3e-4;
 
-      /** What a section may turn in an iteration [rad]. */
-      constexpr double wanted_turn = 0.05;
+      /** Sections that turn less in an iteration are let go [rad]. */
+      constexpr double still = 0.005;
 
-      /** Largest change of the stiffness from one iteration to the next. */
-      constexpr double largest_factor = 3.;
+      /** Largest factor by which the stiffness falls in an iteration. */
+      constexpr double largest_fall = 3.;
 
       /** Enough for a tangent that is not singular. */
-      constexpr double least_part = 1e-4;
+      constexpr double least_part = 1e-3;
     } // namespace
 
 
@@ -46,11 +46,8 @@ namespace Heddle
             if (b % per_node > 0)
               turn = std::max(turn, increment[state.local_block(f) + b].norm());
           double &part = parts[f - owned.first];
-          part         = std::clamp(part * std::clamp(turn / wanted_turn,
-                                              1. / largest_factor,
-                                              largest_factor),
-                            least_part,
-                            1.);
+          part         = std::clamp(
+            part * std::max(turn / still, 1. / largest_fall), least_part, 1.);
         }
     }
 
