@@ -2,26 +2,8 @@
 // whole tangent: the residual vanishes to first order, judged by differences,
 // in the fiber as well as in the matrix. For the laws of the matrix, elements
 // of the fiber, links in nodes and at points between them.
-#include <heddle/solver/linear_solver.h>
-
 #include "../verification/composite.h"
-
-#include <random>
-
-using System::BlockSystem;
-
-
-
-std::vector<Tensor<1, 3>>
-residual(Composite &scene, BlockSystem &system)
-{
-  system.begin(BlockSystem::Want::residual);
-  for (const auto &contribution : scene.contributions)
-    contribution->assemble(*scene.state, system);
-  std::vector<Tensor<1, 3>> forces;
-  system.unbalanced(forces);
-  return forces;
-}
+#include "newton_step.h"
 
 
 
@@ -41,50 +23,12 @@ test(const std::string &element,
                              Tensor<1, 3>({2.8, 0.9, 0.6}),
                              9,
                              /*radius=*/0.1)});
-  System::State                         &state = *scene.state;
-  std::mt19937                           generator(1);
-  std::uniform_real_distribution<double> uniform(-0.02, 0.02);
-  System::Increment                      disturbance(state.n_local_blocks());
-  for (Tensor<1, 3> &block : disturbance)
-    for (unsigned int d = 0; d < 3; ++d)
-      block[d] = uniform(generator);
-  state.move(1., disturbance);
-
-  BlockSystem                          system(state, /*symmetric=*/false);
-  BlockSystem::Pattern                 pattern(state.n_owned_blocks());
-  std::vector<BlockSystem::Constraint> constraints;
-  for (const auto &contribution : scene.contributions)
-    {
-      contribution->begin_step(state);
-      contribution->add_pattern(state, pattern);
-      contribution->constrain(state, constraints);
-    }
-  system.set_pattern(pattern);
-  system.set_constraints(constraints);
-  system.begin(BlockSystem::Want::residual_and_tangent);
-  for (const auto &contribution : scene.contributions)
-    contribution->assemble(state, system);
-  system.end();
-  std::vector<Tensor<1, 3>> start;
-  system.unbalanced(start);
-  Solver::LinearSolver solver(scene.linear, system);
-  solver.solve(true);
-  System::Increment step;
-  system.extract_increment(step);
-
-  const double h = 1e-5;
-  state.move(h, step);
-  const auto forward = residual(scene, system);
-  state.move(-2. * h, step);
-  const auto backward = residual(scene, system);
-  double     of_fiber = 0., of_matrix = 0., scale = 0.;
-  for (unsigned int b = 0; b < start.size(); ++b)
-    {
-      const auto change = (forward[b] - backward[b]) / (2. * h);
-      double    &rest = b < state.n_owned_fiber_blocks() ? of_fiber : of_matrix;
-      rest            = std::max(rest, (start[b] + change).norm());
-      scale           = std::max(scale, start[b].norm());
-    }
+  const NewtonStep   step      = take_newton_step(scene);
+  const unsigned int n         = step.before.size();
+  const unsigned int n_fiber   = scene.state->n_owned_fiber_blocks();
+  const double       of_fiber  = largest(step.rest, 0, n_fiber);
+  const double       of_matrix = largest(step.rest, n_fiber, n);
+  const double       scale     = largest(step.before, 0, n);
   print(element + ", " + law + ", fiber", n_points, of_fiber / scale);
   print(element + ", " + law + ", matrix", n_points, of_matrix / scale);
   deallog << element << ", " << law << ", " << n_points

@@ -2,13 +2,7 @@
 // the axes and in a frame that lies askew, dead forces and moments: the
 // residual vanishes to first order in all that is free, judged by differences,
 // and what is held moves as told. Errors as a part of the residual.
-#include <heddle/solver/linear_solver.h>
-
-#include "scene.h"
-
-#include <random>
-
-using System::BlockSystem;
+#include "newton_step.h"
 
 
 
@@ -39,76 +33,23 @@ make_scene(const std::string &element)
 
 
 
-std::vector<Tensor<1, 3>>
-residual(Scene &scene, BlockSystem &system)
-{
-  system.begin(BlockSystem::Want::residual);
-  for (const auto &contribution : scene.contributions)
-    contribution->assemble(*scene.state, system);
-  std::vector<Tensor<1, 3>> forces;
-  system.unbalanced(forces);
-  return forces;
-}
-
-
-
 void
 test(const std::string &element)
 {
-  const auto     scene = make_scene(element);
-  System::State &state = *scene->state;
-  state.load_factor    = 1.;
-  std::mt19937                           generator(1);
-  std::uniform_real_distribution<double> uniform(-0.02, 0.02);
-  System::Increment                      disturbance(state.n_local_blocks());
-  for (Tensor<1, 3> &block : disturbance)
-    for (unsigned int d = 0; d < 3; ++d)
-      block[d] = uniform(generator);
-  state.move(1., disturbance);
-
-  BlockSystem                          system(state, /*symmetric=*/false);
-  BlockSystem::Pattern                 pattern(state.n_owned_blocks());
-  std::vector<BlockSystem::Constraint> constraints;
-  for (const auto &contribution : scene->contributions)
-    {
-      contribution->begin_step(state);
-      contribution->add_pattern(state, pattern);
-      contribution->constrain(state, constraints);
-    }
-  system.set_pattern(pattern);
-  system.set_constraints(constraints);
-  system.begin(BlockSystem::Want::residual_and_tangent);
-  for (const auto &contribution : scene->contributions)
-    contribution->assemble(state, system);
-  system.end();
-  std::vector<Tensor<1, 3>> start;
-  system.unbalanced(start);
-  Solver::LinearSolver solver(scene->linear, system);
-  solver.solve(true);
-  System::Increment step;
-  system.extract_increment(step);
-
-  const double h = 1e-5;
-  state.move(h, step);
-  const auto forward = residual(*scene, system);
-  state.move(-2. * h, step);
-  const auto backward = residual(*scene, system);
-  double     rest = 0., scale = 0.;
-  for (unsigned int b = 0; b < start.size(); ++b)
-    {
-      const auto change = (forward[b] - backward[b]) / (2. * h);
-      rest              = std::max(rest, (start[b] + change).norm());
-      scale             = std::max(scale, start[b].norm());
-    }
-  state.move(1. + h, step);
-  constraints.clear();
-  scene->contributions[1]->constrain(state, constraints);
+  const auto scene          = make_scene(element);
+  scene->state->load_factor = 1.;
+  NewtonStep         step   = take_newton_step(*scene);
+  const unsigned int n      = step.before.size();
+  const double       rest   = largest(step.rest, 0, n);
+  const double       scale  = largest(step.before, 0, n);
+  const unsigned int n_held = step.constraints.size();
+  step.constraints.clear();
+  scene->contributions[1]->constrain(*scene->state, step.constraints);
   double pending = 0.;
-  for (const auto &constraint : constraints)
+  for (const auto &constraint : step.constraints)
     for (const double motion : constraint.pending)
       pending = std::max(pending, std::abs(motion));
-  deallog << element << ": " << constraints.size()
-          << " blocks held; first-order balance "
+  deallog << element << ": " << n_held << " blocks held; first-order balance "
           << (rest < 1e-6 * scale ? "holds" : "FAIL ") << ", held motion "
           << (pending < 1e-12 ? "exact" : "FAIL") << std::endl;
 }
