@@ -60,6 +60,7 @@ namespace Heddle
                         {"detection", stage.wall_time.detection},
                         {"assembly", stage.wall_time.assembly},
                         {"linear_solver", stage.wall_time.linear_solver},
+                        {"line_search", stage.wall_time.line_search},
                         {"output", stage.wall_time.output}};
           return json;
         }

@@ -118,13 +118,14 @@ namespace Heddle
           summary.stages.emplace_back();
           summary.stages.back().name = scene.stages()[stage].name;
           if (!parameters.run.timing)
-            summary.stages.back().wall_time = {nan, nan, nan, nan, nan};
+            summary.stages.back().wall_time = {nan, nan, nan, nan, nan, nan};
         }
       earlier  = summary.stages.back().wall_time;
       at_begin = {timer.total(),
                   timer.seconds("detection"),
                   timer.seconds("assembly"),
                   timer.seconds("linear solver"),
+                  timer.seconds("line search"),
                   timer.seconds("output")};
       write_summary();
     }
@@ -287,6 +288,8 @@ namespace Heddle
       now.assembly = earlier.assembly + since("assembly") - at_begin.assembly;
       now.linear_solver =
         earlier.linear_solver + since("linear solver") - at_begin.linear_solver;
+      now.line_search =
+        earlier.line_search + since("line search") - at_begin.line_search;
       now.output = earlier.output + since("output") - at_begin.output;
     }
 

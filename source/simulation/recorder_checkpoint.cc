@@ -35,6 +35,7 @@ namespace Heddle
         convert("time_detection", stage.wall_time.detection);
         convert("time_assembly", stage.wall_time.assembly);
         convert("time_linear_solver", stage.wall_time.linear_solver);
+        convert("time_line_search", stage.wall_time.line_search);
         convert("time_output", stage.wall_time.output);
       }
 

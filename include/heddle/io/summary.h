@@ -19,6 +19,7 @@ namespace Heddle
       double detection     = 0.;
       double assembly      = 0.;
       double linear_solver = 0.;
+      double line_search   = 0.;
       double output        = 0.;
     };
 
