@@ -43,6 +43,32 @@ namespace Heddle
 
 
 
+        /**
+         * Square of the distance between two ends, from 0 to 1: the cubic that
+         * interpolates values and slopes.
+         */
+        Cubic
+        squared_distance(const CellEnd &left, const CellEnd &right)
+        {
+          const double size = right.p - left.p;
+          const double f0 = left.squared_distance, f1 = right.squared_distance,
+                       m0 = size * left.slope, m1 = size * right.slope;
+          return {
+            f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
+        }
+
+
+
+        /** The least of the control polygon, which bounds the cubic. */
+        double
+        lower_bound(const Cubic &f)
+        {
+          const double f1 = f(1.);
+          return std::min({f.c0, f.c0 + f.c1 / 3., f1 - f.slope(1.) / 3., f1});
+        }
+
+
+
         /** Places in (0, 1) where the slope of the cubic vanishes, sorted. */
         unsigned int
         stationary_points(const Cubic &f, std::array<double, 2> &points)
@@ -104,6 +130,25 @@ namespace Heddle
 
 
 
+    double
+    least_distance(const IntermediateGeometry &geometry,
+                   const CellEnd              &begin,
+                   const CellEnd              &end)
+    {
+      // Where the end of a fiber comes to face the distance has a kink, but it
+      // changes by no more than p.
+      if (begin.end != end.end)
+        return 0.5 * (std::sqrt(begin.squared_distance) +
+                      std::sqrt(end.squared_distance) - (end.p - begin.p));
+      const double bound = internal::ContactCell::lower_bound(
+        internal::ContactCell::squared_distance(begin, end));
+      // Curved fibers come a little closer than the cubic says.
+      return std::sqrt(std::max(0., bound)) -
+             0.2 * (geometry.a.radius + geometry.b.radius);
+    }
+
+
+
     namespace
     {
       /** Places the elements of one cell. */
@@ -130,16 +175,16 @@ namespace Heddle
         double deepest = 0.;
 
       private:
+        /**
+         * Draw two ends of a part, at which different ends of fibers face,
+         * together to where that changes.
+         */
+        void
+        find_kink(CellEnd &low, CellEnd &high) const;
+
         /** Fill a part in which no end begins to face. */
         void
         fill_smooth(const CellEnd &begin, const CellEnd &end);
-
-        /**
-         * Square of the distance less that of the reach, as the cubic that
-         * interpolates values and slopes.
-         */
-        internal::ContactCell::Cubic
-        overlap(const CellEnd &left, const CellEnd &right) const;
 
         /** Place the elements of the overlap between p = low and p = high. */
         void
@@ -200,12 +245,7 @@ namespace Heddle
             for (unsigned int cut = 0; cut < 3 && from.end != end.end; ++cut)
               {
                 CellEnd low = from, high = end;
-                for (unsigned int step = 0; step < 45; ++step)
-                  {
-                    const CellEnd middle = cell_end(
-                      geometry, 0.5 * (low.p + high.p), 0.5 * (low.q + high.q));
-                    (middle.end == from.end ? low : high) = middle;
-                  }
+                find_kink(low, high);
                 if (low.p - from.p > 1e-9 * size)
                   fill_smooth(from, low);
                 from = high;
@@ -217,15 +257,45 @@ namespace Heddle
 
 
 
-      internal::ContactCell::Cubic
-      CellFiller::overlap(const CellEnd &left, const CellEnd &right) const
+      void
+      CellFiller::find_kink(CellEnd &low, CellEnd &high) const
       {
-        const double size = right.p - left.p;
-        const double f0   = left.squared_distance - reach * reach,
-                     f1   = right.squared_distance - reach * reach,
-                     m0 = size * left.slope, m1 = size * right.slope;
-        return {
-          f0, m0, 3. * (f1 - f0) - 2. * m0 - m1, 2. * (f0 - f1) + m0 + m1};
+        const FacingEnd before = low.end;
+        const double    close  = 1e-8 * (geometry.a.radius + geometry.b.radius);
+
+        // Where fibers end side by side it is at the end of the cell, and
+        // either of them may come first.
+        for (const FacingEnd end : {high.end,
+                                    before,
+                                    FacingEnd::first_of_a,
+                                    FacingEnd::last_of_a,
+                                    FacingEnd::first_of_b,
+                                    FacingEnd::last_of_b})
+          if (end != FacingEnd::none && high.p - low.p > 4. * close)
+            {
+              const double guess = geometry.kink(end, 0.5 * (low.p + high.p));
+              const double kink =
+                std::min(std::max(guess, low.p + close), high.p - close);
+              const double  t     = (kink - low.p) / (high.p - low.p);
+              const double  q     = low.q + t * (high.q - low.q);
+              const CellEnd left  = cell_end(geometry, kink - close, q);
+              const CellEnd right = cell_end(geometry, kink + close, q);
+              if (left.end == before && right.end != before)
+                {
+                  low   = left;
+                  high  = right;
+                  low.p = high.p = kink;
+                  return;
+                }
+            }
+
+        // Several changes in one part.
+        for (unsigned int step = 0; step < 45; ++step)
+          {
+            const CellEnd middle = cell_end(
+              geometry, 0.5 * (low.p + high.p), 0.5 * (low.q + high.q));
+            (middle.end == before ? low : high) = middle;
+          }
       }
 
 
@@ -234,14 +304,12 @@ namespace Heddle
       CellFiller::fill_smooth(const CellEnd &begin, const CellEnd &end)
       {
         using namespace internal::ContactCell;
-        const Cubic  f  = overlap(begin, end);
-        const double f1 = f(1.);
+        Cubic f = squared_distance(begin, end);
+        f.c0 -= reach * reach;
 
-        // The control polygon bounds the cubic: most cells end here. Curved
-        // fibers come a little closer than the cubic says.
+        // Curved fibers come a little closer than the cubic says.
         const double allowance = 0.2 * reach * distance_at_contact;
-        if (std::min({f.c0, f.c0 + f.c1 / 3., f1 - f.slope(1.) / 3., f1}) >=
-            allowance)
+        if (lower_bound(f) >= allowance)
           return;
 
         for (const CellEnd *side : {&begin, &end})

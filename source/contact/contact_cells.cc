@@ -1,5 +1,7 @@
 #include <heddle/contact/contact_cells.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,7 +53,7 @@ namespace Heddle
       {
         unsigned int level =
           parting > aligned_parting ? least_level_of_crossing : 0;
-        while (std::ldexp(parting, -int(level)) > 1.)
+        while (parting / (1u << level) > 1.)
           ++level;
         return level;
       }
@@ -69,7 +71,7 @@ namespace Heddle
       CellPlace
       place_of(const ContactCell &cell, const double whole)
       {
-        const double size = std::ldexp(whole, -int(cell.level));
+        const double size = whole / (1u << cell.level);
         const double p    = (cell.number + 0.5) * size;
         const double q    = 0.5 * (cell.q_begin + cell.q_end);
         return {size, p, q, 0.5 * (p + q), 0.5 * cell.orientation * (p - q)};
@@ -190,9 +192,8 @@ namespace Heddle
     ContactCells::range(const ContactCell          &cell,
                         const IntermediateGeometry &between) const
     {
-      const double size =
-        std::ldexp(whole_cell(between.a, between.b), -int(cell.level));
-      const auto whole = between.range();
+      const double size = whole_cell(between.a, between.b) / (1u << cell.level);
+      const auto   whole = between.range();
       return {std::max(cell.number * size, whole.first),
               std::min((cell.number + 1) * size, whole.second)};
     }
@@ -266,29 +267,39 @@ namespace Heddle
         cell.level = std::clamp(before->level,
                                 level_for(parting / radius / slack),
                                 level_for(parting / radius * slack));
-      const double size = std::ldexp(whole, -int(cell.level));
+      const double size = whole / (1u << cell.level);
 
-      const double begin = std::max(zone.begin, between.range().first);
-      const double end   = std::min(zone.end, between.range().second);
-      if (begin >= end)
+      const double first_p = std::max(zone.begin, between.range().first);
+      const double last_p  = std::min(zone.end, between.range().second);
+      if (first_p >= last_p)
         return;
       all_zones.push_back({0., radius});
 
-      // The distance changes by no more than p.
-      const double reach = a.radius + b.radius + search_distance + 0.5 * size;
+      const double at_contact    = a.radius + b.radius;
       const auto   first_of_zone = all_cells.size();
       double       known_penalty = 0.;
-      for (cell.number = std::floor(begin / size); cell.number * size < end;
+      for (cell.number = std::floor(first_p / size);
+           cell.number * size < last_p;
            ++cell.number)
         {
-          const auto   p      = range(cell, between);
-          const double middle = 0.5 * (p.first + p.second);
-          double       q      = zone.guess(middle);
-          if (between.facing(middle, q).squared_distance > reach * reach)
+          const auto    p     = range(cell, between);
+          const double  q     = zone.guess(0.5 * (p.first + p.second));
+          const CellEnd begin = cell_end(between, p.first, q);
+
+          // The distance changes by no more than p: so many cells are too far.
+          const double excess =
+            std::sqrt(begin.squared_distance) - at_contact - search_distance;
+          if (excess > size)
+            {
+              cell.number += static_cast<int>(excess / size) - 1;
+              continue;
+            }
+          const CellEnd end = cell_end(between, p.second, q);
+          cell.clearance    = least_distance(between, begin, end) - at_contact;
+          if (cell.clearance > search_distance)
             continue;
-          cell.q_begin = cell.q_end = q;
-          between.facing(p.first, cell.q_begin);
-          between.facing(p.second, cell.q_end);
+          cell.q_begin = begin.q;
+          cell.q_end   = end.q;
           if (is_covered(cell, size))
             continue;
           const ContactCell *old = stiffest(cell, whole, old_cells);
@@ -397,6 +408,7 @@ namespace Heddle
 
     void
     ContactCells::place_elements(const CurveList             &curves,
+                                 const std::vector<double>   &moved,
                                  const double                 threshold,
                                  const double                 skin,
                                  std::vector<ContactElement> &elements)
@@ -404,21 +416,30 @@ namespace Heddle
       for (Zone &zone : all_zones)
         zone.penetration = 0.;
 
-      CellEnd end = {};
+      CellEnd      end  = {};
+      unsigned int last = numbers::invalid_unsigned_int; // cell of that end
       for (unsigned int c = 0; c < all_cells.size(); ++c)
         {
-          const ContactCell         &cell    = all_cells[c];
-          const IntermediateGeometry between = geometry(curves, cell);
-          const auto                 p       = range(cell, between);
+          const ContactCell &cell = all_cells[c];
+          Zone              &zone = all_zones[cell.zone];
+          if (cell.clearance >
+              skin * zone.radius + moved[cell.fiber_a] + moved[cell.fiber_b])
+            continue;
 
-          // Neighbouring cells share their ends.
-          const bool continues = c > 0 && all_cells[c - 1].zone == cell.zone &&
-                                 all_cells[c - 1].number + 1 == cell.number;
+          // Neighbouring cells share their ends, unless strongly bent fibers
+          // face each other in several places.
+          const IntermediateGeometry between   = geometry(curves, cell);
+          const auto                 p         = range(cell, between);
+          const bool                 continues = c > 0 && last == c - 1 &&
+                                 all_cells[c - 1].zone == cell.zone &&
+                                 all_cells[c - 1].number + 1 == cell.number &&
+                                 std::abs(end.q - cell.q_begin) <
+                                   between.a.radius + between.b.radius;
           const CellEnd begin =
             continues ? end : cell_end(between, p.first, cell.q_begin);
-          end = cell_end(between, p.second, cell.q_end);
+          end  = cell_end(between, p.second, cell.q_end);
+          last = c;
 
-          Zone        &zone  = all_zones[cell.zone];
           const auto   first = elements.size();
           const double penetration =
             place_in_cell(between,
@@ -445,6 +466,34 @@ namespace Heddle
                 law.pressure(cell.penalty, std::max(-element.gap, -law.skin));
             }
         }
+    }
+
+
+
+    std::vector<CandidatePair>
+    ContactCells::near_pairs(const CurveList &curves,
+                             const double     approach) const
+    {
+      std::vector<CandidatePair> pairs;
+      for (const ContactCell &cell : all_cells)
+        if (cell.clearance <= approach)
+          {
+            const IntermediateGeometry between = geometry(curves, cell);
+            const auto                 p       = range(cell, between);
+            const double               sigma   = cell.orientation;
+            for (const double t : {0., 0.5, 1.})
+              {
+                const double along = p.first + t * (p.second - p.first);
+                const double q = cell.q_begin + t * (cell.q_end - cell.q_begin);
+                pairs.push_back(
+                  {cell.fiber_a,
+                   cell.fiber_b,
+                   between.a.interval(0.5 * (along + q)),
+                   between.b.interval(0.5 * sigma * (along - q))});
+              }
+          }
+      sort_and_unify(pairs);
+      return pairs;
     }
 
 

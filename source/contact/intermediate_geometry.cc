@@ -7,6 +7,14 @@ namespace Heddle
 {
   namespace Contact
   {
+    namespace
+    {
+      /** So short a step of Newton's method, in radii, is the last one. */
+      constexpr double last_step = 1e-9;
+    } // namespace
+
+
+
     std::pair<double, double>
     IntermediateGeometry::range() const
     {
@@ -40,16 +48,10 @@ namespace Heddle
       const double    sigma  = orientation;
       const double    scale  = a.radius + b.radius;
       FacingParticles result;
-      result.interval_a = result.interval_b = 0;
 
-      // Start where these arc lengths lie in fibers of equal intervals.
-      q                = std::min(std::max(q, bounds.first), bounds.second);
-      const auto guess = [](const Curve &curve, const double s) {
-        const double i = s / curve.length() * (curve.n_knots - 1);
-        return std::min<unsigned int>(curve.n_knots - 2, std::max(0., i));
-      };
-      result.interval_a = guess(a, 0.5 * (p + q));
-      result.interval_b = guess(b, 0.5 * sigma * (p - q));
+      q                 = std::min(std::max(q, bounds.first), bounds.second);
+      result.interval_a = a.interval(0.5 * (p + q));
+      result.interval_b = b.interval(0.5 * sigma * (p - q));
 
       CurvePoint point_a, point_b;
       for (unsigned int iteration = 0; iteration < 30; ++iteration)
@@ -70,8 +72,14 @@ namespace Heddle
           double step = std::min(std::max(-force / stiffness, -scale), scale);
           step = std::min(std::max(q + step, bounds.first), bounds.second) - q;
           q += step;
-          if (std::abs(step) < 1e-11 * scale)
-            break;
+          if (std::abs(step) < last_step * scale)
+            {
+              // What is left of second order is below round-off.
+              result.connection += 0.5 * step * sum;
+              point_a.tangent += 0.5 * step * point_a.curvature;
+              point_b.tangent -= 0.5 * sigma * step * point_b.curvature;
+              break;
+            }
         }
 
       result.s_a              = 0.5 * (p + q);
@@ -100,6 +108,39 @@ namespace Heddle
           q > bounds.second - tolerance)
         result.squared_distance = 1e6 * scale * scale;
       return result;
+    }
+
+
+
+    double
+    IntermediateGeometry::kink(const FacingEnd end, const double p) const
+    {
+      const bool of_a =
+        end == FacingEnd::first_of_a || end == FacingEnd::last_of_a;
+      const bool is_first =
+        end == FacingEnd::first_of_a || end == FacingEnd::first_of_b;
+      const Curve     &ending = of_a ? a : b, &other = of_a ? b : a;
+      const double     sigma = orientation, scale = a.radius + b.radius;
+      const double     s        = is_first ? 0. : ending.length();
+      unsigned int     interval = is_first ? 0 : ending.n_knots - 2;
+      const CurvePoint last     = ending.evaluate(s, interval);
+      unsigned int     of_other = 0;
+      double           s_other  = of_a ? sigma * (p - s) : p - sigma * s;
+      for (unsigned int iteration = 0; iteration < 20; ++iteration)
+        {
+          s_other = std::min(std::max(s_other, 0.), other.length());
+          const CurvePoint   facing     = other.evaluate(s_other, of_other);
+          const Tensor<1, 3> connection = last.position - facing.position;
+          const Tensor<1, 3> sum        = last.tangent + sigma * facing.tangent;
+          const double       stiffness =
+            sigma * (connection * facing.curvature) - facing.tangent * sum;
+          const double step =
+            std::min(std::max(-(connection * sum) / stiffness, -scale), scale);
+          s_other += step;
+          if (!(std::abs(step) > 1e-11 * scale))
+            break;
+        }
+      return of_a ? s + sigma * s_other : s_other + sigma * s;
     }
   } // namespace Contact
 } // namespace Heddle

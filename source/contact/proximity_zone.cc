@@ -41,17 +41,17 @@ namespace Heddle
 
 
 
-        /** Distance of the middles of two intervals. */
+        /** Squared distance of the middles of two intervals. */
         double
-        distance(const Curve       &a,
-                 const unsigned int i,
-                 const Curve       &b,
-                 const unsigned int j)
+        squared_distance(const Curve       &a,
+                         const unsigned int i,
+                         const Curve       &b,
+                         const unsigned int j)
         {
           unsigned int hint_a = i, hint_b = j;
           return (a.evaluate(middle(a, i), hint_a).position -
                   b.evaluate(middle(b, j), hint_b).position)
-            .norm();
+            .norm_square();
         }
 
 
@@ -195,20 +195,21 @@ namespace Heddle
             zone.fiber_a = first->fiber_a;
             zone.fiber_b = first->fiber_b;
 
-            double       sine_sum = 0., weight_sum = 0., least_distance = 0.;
+            double       sine_sum = 0., weight_sum = 0., least = 0.;
             unsigned int closest = c;
             for (unsigned int k = 0; k < n; ++k)
               if (component[k] == c)
                 {
-                  const double distance = internal::ProximityZone::distance(
-                    a, first[k].interval_a, b, first[k].interval_b);
-                  if (weight_sum == 0. || distance < least_distance)
+                  const double square =
+                    internal::ProximityZone::squared_distance(
+                      a, first[k].interval_a, b, first[k].interval_b);
+                  if (weight_sum == 0. || square < least)
                     {
-                      least_distance = distance;
-                      closest        = k;
+                      least   = square;
+                      closest = k;
                     }
                   // Neighbours along a bent zone are at an angle, but apart.
-                  const double weight = std::pow(distance, -4.);
+                  const double weight = 1. / (square * square);
                   sine_sum +=
                     weight *
                     std::sqrt(std::max(0., 1. - cosines[k] * cosines[k]));

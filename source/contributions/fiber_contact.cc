@@ -1,6 +1,7 @@
 #include <heddle/base/reduce.h>
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/interval_pairs.h>
+#include <heddle/contributions/summed_terms.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -28,6 +29,13 @@ namespace Heddle
        * that begin too high hold fibers where they happened to meet.
        */
       constexpr double first_softness = 0.2;
+
+      /**
+       * Surfaces so close to each other, in radii, have their places in the
+       * tangent: contacts come and go, and a new pattern takes as long as some
+       * iterations of the linear solver.
+       */
+      constexpr double pattern_margin = 0.1;
 
       /** No guess is followed that lays fibers so deep in each other, in radii.
        */
@@ -119,9 +127,12 @@ namespace Heddle
     {
       update_curves(state);
       const double distance = parameters.search_distance * largest_radius;
-      const double moved    = Utilities::MPI::max(
-        searched ? moved_since_search(state) : distance, space.communicator());
-      if (moved > stale_after * distance)
+      if (searched)
+        measure_motion(state);
+      const double furthest = Utilities::MPI::max(
+        searched ? *std::max_element(moved.begin(), moved.end()) : distance,
+        space.communicator());
+      if (furthest > stale_after * distance)
         search(state);
       place_elements();
       gather_statistics();
@@ -133,6 +144,7 @@ namespace Heddle
     FiberContact::probe(System::State &state)
     {
       update_curves(state);
+      measure_motion(state);
       place_elements();
     }
 
@@ -170,11 +182,11 @@ namespace Heddle
 
 
 
-    double
-    FiberContact::moved_since_search(const System::State &state) const
+    void
+    FiberContact::measure_motion(const System::State &state)
     {
       // The control points of the cubics bound the motion of the axis.
-      double largest = 0.;
+      moved.assign(space.n_fibers(), 0.);
       for (unsigned int f = 0; f < space.n_fibers(); ++f)
         if (state.has(f))
           {
@@ -188,12 +200,11 @@ namespace Heddle
                   knot_positions[i] - searched_at[2 * i];
                 const Tensor<1, 3> tangent =
                   third * (knot_tangents[i] - searched_at[2 * i + 1]);
-                largest = std::max({largest,
-                                    (position + tangent).norm(),
-                                    (position - tangent).norm()});
+                moved[f] = std::max({moved[f],
+                                     (position + tangent).norm(),
+                                     (position - tangent).norm()});
               }
           }
-      return largest;
     }
 
 
@@ -286,6 +297,7 @@ namespace Heddle
           searched_at[2 * i + 1] = knot_tangents[i];
         }
       cells.search(curves, filter);
+      moved.assign(space.n_fibers(), 0.);
       searched = true;
     }
 
@@ -296,7 +308,7 @@ namespace Heddle
     {
       contact_elements.clear();
       cells.place_elements(
-        curves, threshold, softness * thickest_skin, contact_elements);
+        curves, moved, threshold, softness * thickest_skin, contact_elements);
     }
 
 
@@ -399,8 +411,9 @@ namespace Heddle
     FiberContact::add_pattern(const System::State          &state,
                               System::BlockSystem::Pattern &pattern)
     {
-      Contact::extend_pairs(pattern_pairs,
-                            interval_pairs(space, contact_elements));
+      pattern_pairs =
+        union_of(cells.near_pairs(curves, pattern_margin * largest_radius),
+                 interval_pairs(space, contact_elements));
       unsigned int blocks[8];
       double       weights[8];
       for (const Contact::CandidatePair &pair : pattern_pairs)
@@ -421,31 +434,34 @@ namespace Heddle
     FiberContact::assemble(const System::State &state,
                            System::BlockSystem &system)
     {
-      unsigned int            blocks[8];
-      double                  weights[8];
-      std::array<double, 24>  direction, residual;
-      std::array<double, 576> tangent;
+      unsigned int           blocks[8];
+      double                 weights[8];
+      std::array<double, 24> direction;
+      SummedTerms            terms(system);
       for (const Contact::ContactElement &element : contact_elements)
         if (element.force > 0.)
           {
             locate(state, element, blocks, weights);
+            terms.begin(8, blocks);
 
             // The gap changes by direction . motion, the energy by -force.
             for (unsigned int i = 0; i < 8; ++i)
               for (unsigned int d = 0; d < 3; ++d)
                 {
                   direction[3 * i + d] = weights[i] * element.normal[d];
-                  residual[3 * i + d]  = -element.force * direction[3 * i + d];
+                  terms.residual()[3 * i + d] -=
+                    element.force * direction[3 * i + d];
                 }
             if (system.wants_tangent())
               {
-                const double k = stiffness(element);
+                const double k       = stiffness(element);
+                double      *tangent = terms.tangent();
                 for (unsigned int i = 0; i < 24; ++i)
                   for (unsigned int j = 0; j < 24; ++j)
-                    tangent[24 * i + j] = k * direction[i] * direction[j];
+                    tangent[24 * i + j] += k * direction[i] * direction[j];
               }
-            system.add(8, blocks, residual.data(), tangent.data());
           }
+      terms.end();
     }
 
 

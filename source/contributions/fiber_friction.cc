@@ -1,6 +1,7 @@
 #include <heddle/base/reduce.h>
 #include <heddle/contributions/fiber_friction.h>
 #include <heddle/contributions/interval_pairs.h>
+#include <heddle/contributions/summed_terms.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -106,6 +107,8 @@ namespace Heddle
     FiberFriction::add_pattern(const System::State          &state,
                                System::BlockSystem::Pattern &pattern)
     {
+      // Not those that may come to touch as well, as for contact: friction
+      // couples many blocks, and the matrix would be half as large again.
       Contact::extend_pairs(pattern_pairs, interval_pairs(space, elements));
       for (const Contact::CandidatePair &pair : pattern_pairs)
         {
@@ -127,11 +130,10 @@ namespace Heddle
     {
       Assert(ghost_version == state.ghost_version(),
              ExcMessage("Elements have the numbers that blocks had before."));
-      constexpr unsigned int     n_most = 3 * FrictionElement::max_blocks;
-      std::array<double, n_most> residual;
-      std::array<double, n_most * n_most> tangent;
+      SummedTerms terms(system);
       for (const Element &element : elements)
         {
+          terms.begin(element.n_blocks, element.blocks.data());
           const FrictionElement::Derivative by(element);
           const Tensor<1, 3> u     = element.displacement(by, state.current());
           const Tensor<1, 3> force = element.law.force(u);
@@ -140,10 +142,11 @@ namespace Heddle
                        across      = force * element.axes[1];
           for (unsigned int i = 0; i < element.n_blocks; ++i)
             for (unsigned int d = 0; d < 3; ++d)
-              residual[3 * i + d] =
+              terms.residual()[3 * i + d] +=
                 along * by.rows[0][i][d] + across * by.rows[1][i][d];
           if (system.wants_tangent())
             {
+              double            *tangent = terms.tangent();
               const Tensor<2, 3> k = element.law.stiffness(u, element.normal);
               const double       both = element.axes[0] * (k * element.axes[1]);
               const double first      = element.axes[0] * (k * element.axes[0]),
@@ -157,15 +160,12 @@ namespace Heddle
                   for (unsigned int i = 0; i < element.n_blocks; ++i)
                     for (unsigned int d = 0; d < 3; ++d)
                       for (unsigned int e = 0; e < 3; ++e)
-                        tangent[n * (3 * i + d) + 3 * j + e] =
+                        tangent[n * (3 * i + d) + 3 * j + e] +=
                           by.rows[0][i][d] * f[e] + by.rows[1][i][d] * g[e];
                 }
             }
-          system.add(element.n_blocks,
-                     element.blocks.data(),
-                     residual.data(),
-                     tangent.data());
         }
+      terms.end();
     }
 
 

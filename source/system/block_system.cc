@@ -4,6 +4,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace Heddle
 {
@@ -42,32 +43,90 @@ namespace Heddle
 
 
     void
-    BlockSystem::Pattern::couple(const unsigned int  n,
-                                 const unsigned int *blocks)
+    BlockSystem::Pattern::add_group(const unsigned int  n,
+                                    const unsigned int *blocks)
     {
-      for (unsigned int i = 0; i < n; ++i)
-        if (blocks[i] < columns.size())
-          for (unsigned int j = 0; j < n; ++j)
-            columns[blocks[i]].push_back(blocks[j]);
+      group_blocks.insert(group_blocks.end(), blocks, blocks + n);
+      group_begin.push_back(group_blocks.size());
     }
 
 
 
     void
-    BlockSystem::set_pattern(Pattern &pattern)
+    BlockSystem::Pattern::couple(const unsigned int  n,
+                                 const unsigned int *blocks)
+    {
+      for (unsigned int i = 0; i < n; ++i)
+        if (blocks[i] < n_rows)
+          uses.emplace_back(blocks[i], group_begin.size() - 1);
+      add_group(n, blocks);
+    }
+
+
+
+    void
+    BlockSystem::Pattern::add_row(const unsigned int  row,
+                                  const unsigned int  n,
+                                  const unsigned int *blocks)
+    {
+      uses.emplace_back(row, group_begin.size() - 1);
+      add_group(n, blocks);
+    }
+
+
+
+    std::vector<std::vector<unsigned int>>
+    BlockSystem::Pattern::columns() const
+    {
+      std::vector<unsigned int> first_use(n_rows + 1, 0), groups(uses.size());
+      for (const auto &use : uses)
+        ++first_use[use.first + 1];
+      std::partial_sum(first_use.begin(), first_use.end(), first_use.begin());
+      std::vector<unsigned int> next = first_use;
+      for (const auto &use : uses)
+        groups[next[use.first]++] = use.second;
+
+      // A block is marked with the last row that has it: most stand in many
+      // groups of a row, and sorting them all would take the longest.
+      const auto last =
+        std::max_element(group_blocks.begin(), group_blocks.end());
+      std::vector<unsigned int> mark(
+        std::max(n_rows, last == group_blocks.end() ? 0 : *last + 1), n_rows);
+      std::vector<std::vector<unsigned int>> result(n_rows);
+      std::vector<unsigned int>              row_blocks;
+      for (unsigned int row = 0; row < n_rows; ++row)
+        {
+          row_blocks.assign(1, row);
+          mark[row] = row;
+          for (unsigned int u = first_use[row]; u < first_use[row + 1]; ++u)
+            for (unsigned int k = group_begin[groups[u]];
+                 k < group_begin[groups[u] + 1];
+                 ++k)
+              if (mark[group_blocks[k]] != row)
+                {
+                  mark[group_blocks[k]] = row;
+                  row_blocks.push_back(group_blocks[k]);
+                }
+          std::sort(row_blocks.begin(), row_blocks.end());
+          result[row] = row_blocks;
+        }
+      return result;
+    }
+
+
+
+    void
+    BlockSystem::set_pattern(const Pattern &pattern)
     {
       const unsigned int n_owned = state.n_owned_blocks();
       global_blocks              = state.global_blocks();
 
       std::vector<PetscInt> row_begin(1, 0), columns;
+      const auto            blocks = pattern.columns();
       for (unsigned int row = 0; row < n_owned; ++row)
         {
-          std::vector<unsigned int> &blocks = pattern.columns[row];
-          blocks.push_back(row);
-          std::sort(blocks.begin(), blocks.end());
-          blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
           const auto begin = columns.size();
-          for (const unsigned int block : blocks)
+          for (const unsigned int block : blocks[row])
             if (!symmetric || global_blocks[block] >= global_blocks[row])
               columns.push_back(global_blocks[block]);
           std::sort(columns.begin() + begin, columns.end());

@@ -28,17 +28,34 @@ namespace Heddle
                       right.interval_b);
     }
 
+    inline bool
+    operator==(const CandidatePair &left, const CandidatePair &right)
+    {
+      return !(left < right) && !(right < left);
+    }
+
     /** Sort @p pairs, and keep each of them once. */
     inline void
     sort_and_unify(std::vector<CandidatePair> &pairs)
     {
+      // Nearly all pairs that stand twice follow each other.
+      pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
       std::sort(pairs.begin(), pairs.end());
-      pairs.erase(std::unique(pairs.begin(),
-                              pairs.end(),
-                              [](const auto &left, const auto &right) {
-                                return !(left < right) && !(right < left);
-                              }),
-                  pairs.end());
+      pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    }
+
+    /** The union of two sorted lists, each pair once. */
+    inline std::vector<CandidatePair>
+    union_of(const std::vector<CandidatePair> &first,
+             const std::vector<CandidatePair> &second)
+    {
+      std::vector<CandidatePair> all;
+      std::set_union(first.begin(),
+                     first.end(),
+                     second.begin(),
+                     second.end(),
+                     std::back_inserter(all));
+      return all;
     }
 
     /**
@@ -52,13 +69,7 @@ namespace Heddle
     {
       if (known.size() > 2 * pairs.size())
         known.clear();
-      std::vector<CandidatePair> all;
-      std::set_union(known.begin(),
-                     known.end(),
-                     pairs.begin(),
-                     pairs.end(),
-                     std::back_inserter(all));
-      known.swap(all);
+      known = union_of(known, pairs);
     }
   } // namespace Contact
 } // namespace Heddle

@@ -32,6 +32,9 @@ namespace Heddle
       /** By how much the sum of the radii is taken smaller [mm]. */
       double forgiven = 0.;
 
+      /** At least so far apart were the surfaces at the last search [mm]. */
+      double clearance = 0.;
+
       /** Penalty over that of the last accepted step. */
       double hardened = 1.;
     };
@@ -67,6 +70,15 @@ namespace Heddle
     cell_end(const IntermediateGeometry &geometry,
              const double                p,
              const double                q);
+
+    /**
+     * The axes are no closer to each other between these ends, as far as the
+     * cubic tells that interpolates the squared distance and its slope [mm].
+     */
+    double
+    least_distance(const IntermediateGeometry &geometry,
+                   const CellEnd              &begin,
+                   const CellEnd              &end);
 
     /**
      * Append the contact elements of one cell to @p elements and return the

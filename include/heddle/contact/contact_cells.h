@@ -82,13 +82,23 @@ namespace Heddle
       /**
        * Append the elements of all cells to @p elements, with forces by the law
        * that becomes linear at half of @p threshold times the radius, on
-       * surfaces that wear a skin of @p skin times the radius.
+       * surfaces that wear a skin of @p skin times the radius. No point of the
+       * axis of fiber f has @p moved further than moved[f] since the search
+       * [mm]: cells that were too far from contact for that are passed over.
        */
       void
       place_elements(const CurveList             &curves,
+                     const std::vector<double>   &moved,
                      const double                 threshold,
                      const double                 skin,
                      std::vector<ContactElement> &elements);
+
+      /**
+       * The pairs of fiber intervals that may come to touch until surfaces have
+       * approached each other by @p approach [mm] since the search, sorted.
+       */
+      std::vector<CandidatePair>
+      near_pairs(const CurveList &curves, const double approach) const;
 
       /**
        * Raise the penalties of the zones whose deepest penetration exceeds

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
+
 namespace Heddle
 {
   namespace Contact
@@ -43,6 +45,11 @@ namespace Heddle
         return arc_lengths[n_knots - 1];
       }
 
+      /** Return the i with knot i <= s < knot i + 1; outside, the nearest one.
+       */
+      unsigned int
+      interval(const double s) const;
+
       /**
        * Return the point at arc length @p s. @p interval is where the search
        * for its knots starts, and is set to where it ended.
@@ -50,6 +57,12 @@ namespace Heddle
       CurvePoint
       evaluate(const double s, unsigned int &interval) const;
 
+    private:
+      /** The interval of @p s, sought from the interval @p from. */
+      unsigned int
+      search(const double s, unsigned int from) const;
+
+    public:
       const unsigned int        n_knots;
       const double *const       arc_lengths; /**< [mm] */
       const Tensor<1, 3> *const positions;   /**< [mm] */
@@ -59,18 +72,37 @@ namespace Heddle
 
 
 
+    inline unsigned int
+    Curve::search(const double s, unsigned int from) const
+    {
+      while (from > 0 && s < arc_lengths[from])
+        --from;
+      while (from + 2 < n_knots && s >= arc_lengths[from + 1])
+        ++from;
+      return from;
+    }
+
+
+
+    inline unsigned int
+    Curve::interval(const double s) const
+    {
+      // Nearly all fibers have equal intervals: this guess is then right.
+      const double i = s / length() * (n_knots - 1);
+      return search(s, std::min<unsigned int>(n_knots - 2, std::max(0., i)));
+    }
+
+
+
     inline CurvePoint
     Curve::evaluate(const double s, unsigned int &interval) const
     {
-      unsigned int i = interval;
-      while (i > 0 && s < arc_lengths[i])
-        --i;
-      while (i + 2 < n_knots && s >= arc_lengths[i + 1])
-        ++i;
-      interval = i;
+      const unsigned int i = search(s, interval);
+      interval             = i;
 
-      const double h = arc_lengths[i + 1] - arc_lengths[i];
-      const double t = (s - arc_lengths[i]) / h;
+      const double h     = arc_lengths[i + 1] - arc_lengths[i];
+      const double per_h = 1. / h;
+      const double t     = (s - arc_lengths[i]) * per_h;
 
       // x = x0 + t h (m0 + t (c + t d)) with
       // c = 3 D - 2 m0 - m1, d = m0 + m1 - 2 D and D the mean slope.
@@ -78,11 +110,11 @@ namespace Heddle
       for (unsigned int k = 0; k < 3; ++k)
         {
           const double m0 = tangents[i][k], m1 = tangents[i + 1][k];
-          const double D = (positions[i + 1][k] - positions[i][k]) / h;
+          const double D = (positions[i + 1][k] - positions[i][k]) * per_h;
           const double c = 3. * D - 2. * m0 - m1, d = m0 + m1 - 2. * D;
           point.position[k]  = positions[i][k] + t * h * (m0 + t * (c + t * d));
           point.tangent[k]   = m0 + t * (2. * c + 3. * t * d);
-          point.curvature[k] = (2. * c + 6. * t * d) / h;
+          point.curvature[k] = (2. * c + 6. * t * d) * per_h;
         }
       return point;
     }

@@ -76,6 +76,14 @@ namespace Heddle
       FacingParticles
       facing(const double p, double &q) const;
 
+      /**
+       * Return the p beyond or before which the particle at @p end faces a
+       * range of the other fiber: there it faces one particle as all others do.
+       * Found from the guess @p p, and not to be trusted unchecked.
+       */
+      double
+      kink(const FacingEnd end, const double p) const;
+
       const Curve a, b;
       const int   orientation;
 

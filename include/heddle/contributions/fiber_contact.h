@@ -195,8 +195,9 @@ namespace Heddle
       void
       gather_statistics();
 
-      double
-      moved_since_search(const System::State &state) const;
+      /** Find how far each fiber has moved since the search. */
+      void
+      measure_motion(const System::State &state);
 
       /** From the local elasticity of two parallel fibers [N/mm^2]. */
       double
@@ -234,14 +235,15 @@ namespace Heddle
 
       Contact::ContactCells::Filter filter;
 
-      bool                                 searched = false;
-      std::vector<Tensor<1, 3>>            searched_at;
-      std::vector<unsigned int>            first_knot;
-      std::vector<Tensor<1, 3>>            knot_positions, knot_tangents;
-      Contact::CurveList                   curves;
-      Contact::ContactCells                cells;
-      std::vector<Contact::ContactCell>    accepted_cells;
-      double                               accepted_active = 0.;
+      bool                              searched = false;
+      std::vector<Tensor<1, 3>>         searched_at;
+      std::vector<double>               moved; /**< since then, by fiber [mm] */
+      std::vector<unsigned int>         first_knot;
+      std::vector<Tensor<1, 3>>         knot_positions, knot_tangents;
+      Contact::CurveList                curves;
+      Contact::ContactCells             cells;
+      std::vector<Contact::ContactCell> accepted_cells;
+      double                            accepted_active = 0.;
       std::vector<Contact::ContactElement> contact_elements;
       Statistics                           statistics;
 

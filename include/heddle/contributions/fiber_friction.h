@@ -137,6 +137,7 @@ namespace Heddle
       const FrictionCoefficients        coefficients;
       Contact::FrictionMemory           memory;
       std::vector<Element>              elements;
+
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;
       unsigned int                        ghost_version = 0;

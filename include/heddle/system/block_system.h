@@ -61,7 +61,7 @@ namespace Heddle
       {
       public:
         Pattern(const unsigned int n_owned_blocks)
-          : columns(n_owned_blocks)
+          : n_rows(n_owned_blocks)
         {
         }
 
@@ -73,14 +73,21 @@ namespace Heddle
         void
         add_row(const unsigned int  row,
                 const unsigned int  n,
-                const unsigned int *blocks)
-        {
-          columns[row].insert(columns[row].end(), blocks, blocks + n);
-        }
+                const unsigned int *blocks);
+
+        /** Sorted local blocks of all rows, each once and with the diagonal. */
+        std::vector<std::vector<unsigned int>>
+        columns() const;
 
       private:
-        std::vector<std::vector<unsigned int>> columns;
-        friend class BlockSystem;
+        void
+        add_group(const unsigned int n, const unsigned int *blocks);
+
+        const unsigned int        n_rows;
+        std::vector<unsigned int> group_begin = {0}, group_blocks;
+
+        /** A row, and a group that it holds. */
+        std::vector<std::pair<unsigned int, unsigned int>> uses;
       };
 
       /**
@@ -88,7 +95,7 @@ namespace Heddle
        * @note Collective.
        */
       void
-      set_pattern(Pattern &pattern);
+      set_pattern(const Pattern &pattern);
 
       void
       set_constraints(const std::vector<Constraint> &constraints);
