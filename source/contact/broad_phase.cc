@@ -60,8 +60,9 @@ namespace Heddle
         {
           if (!a.own && !b.own)
             return false;
+          // Two that are stale find each other twice.
           if (a.fiber != b.fiber)
-            return a.fiber < b.fiber;
+            return a.fiber < b.fiber || !b.stale;
           return i < j && a.curve.arc_lengths[j + 1] - a.curve.arc_lengths[i] >
                             least_self_separation(a.curve);
         }
@@ -100,6 +101,8 @@ namespace Heddle
         {
           const NumberedCurve &a = curves[entry.second.curve];
           const unsigned int   i = entry.second.interval;
+          if (!a.stale)
+            continue;
           for (auto hit = tree.qbegin(bgi::intersects(entry.first));
                hit != tree.qend();
                ++hit)
@@ -107,7 +110,9 @@ namespace Heddle
               const NumberedCurve &b = curves[hit->second.curve];
               const unsigned int   j = hit->second.interval;
               if (may_touch(a, i, b, j))
-                candidates.push_back({a.fiber, b.fiber, i, j});
+                candidates.push_back(a.fiber <= b.fiber
+                                       ? CandidatePair{a.fiber, b.fiber, i, j}
+                                       : CandidatePair{b.fiber, a.fiber, j, i});
             }
         }
       std::sort(candidates.begin(), candidates.end());

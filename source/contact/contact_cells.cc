@@ -201,14 +201,17 @@ namespace Heddle
 
 
     void
-    ContactCells::search(const CurveList &curves, const Filter &filter)
+    ContactCells::search(const CurveList           &curves,
+                         const std::vector<double> &moved,
+                         const Filter              &filter)
     {
       const std::vector<CandidatePair> candidates =
         find_candidates(curves.all(), search_distance);
 
       std::vector<ContactCell> old_cells;
       old_cells.swap(all_cells);
-      all_zones.clear();
+      keep_cells(curves, old_cells);
+      const auto n_kept = all_cells.size();
       for (auto first = candidates.begin(); first != candidates.end();)
         {
           auto last = first;
@@ -217,29 +220,58 @@ namespace Heddle
             ++last;
           if (filter(first->fiber_a, first->fiber_b))
             {
-              const Curve &a     = curves[first->fiber_a];
-              const Curve &b     = curves[first->fiber_b];
-              const double whole = whole_cell(a, b);
-              const auto   known = [&](const double s_a, const double s_b) {
-                const ContactCell *before = old_cell(
-                  first->fiber_a, first->fiber_b, s_a, s_b, whole, old_cells);
+              const Curve   &a     = curves[first->fiber_a];
+              const Curve   &b     = curves[first->fiber_b];
+              const double   whole = whole_cell(a, b);
+              const OldCells old =
+                cells_of(first->fiber_a, first->fiber_b, old_cells);
+              const auto known = [&](const double s_a, const double s_b) {
+                const ContactCell *before = nearest(old, s_a, s_b, whole);
                 return before != nullptr ? before->orientation : 0;
               };
+              const auto first_of_pair = all_cells.size();
               for (const ProximityZone &zone :
                    find_zones(&*first, &*first + (last - first), a, b, known))
-                cover_zone(curves, zone, old_cells);
+                cover_zone(curves, moved, zone, old, first_of_pair);
+              std::sort(all_cells.begin() + first_of_pair, all_cells.end());
             }
           first = last;
         }
-      std::sort(all_cells.begin(), all_cells.end());
+      std::inplace_merge(
+        all_cells.begin(), all_cells.begin() + n_kept, all_cells.end());
     }
 
 
 
     void
-    ContactCells::cover_zone(const CurveList                &curves,
-                             const ProximityZone            &zone,
+    ContactCells::keep_cells(const CurveList                &curves,
                              const std::vector<ContactCell> &old_cells)
+    {
+      std::vector<Zone>         old_zones;
+      std::vector<unsigned int> number;
+      old_zones.swap(all_zones);
+      number.assign(old_zones.size(), numbers::invalid_unsigned_int);
+      for (const ContactCell &cell : old_cells)
+        if (!curves.is_stale(cell.fiber_a) && !curves.is_stale(cell.fiber_b))
+          {
+            if (number[cell.zone] == numbers::invalid_unsigned_int)
+              {
+                number[cell.zone] = all_zones.size();
+                all_zones.push_back(old_zones[cell.zone]);
+              }
+            all_cells.push_back(cell);
+            all_cells.back().zone = number[cell.zone];
+          }
+    }
+
+
+
+    void
+    ContactCells::cover_zone(const CurveList           &curves,
+                             const std::vector<double> &moved,
+                             const ProximityZone       &zone,
+                             const OldCells            &old_cells,
+                             const std::size_t          first_of_pair)
     {
       ContactCell cell                   = {};
       cell.fiber_a                       = zone.fiber_a;
@@ -256,13 +288,9 @@ namespace Heddle
       const double       radius  = std::min(a.radius, b.radius);
       const double       parting = 0.5 * whole * zone.sine;
       const auto         closest = zone.closest();
-      const ContactCell *before  = old_cell(zone.fiber_a,
-                                           zone.fiber_b,
-                                           closest.first,
-                                           closest.second,
-                                           whole,
-                                           old_cells);
-      cell.level                 = level_for(parting / radius);
+      const ContactCell *before =
+        nearest(old_cells, closest.first, closest.second, whole);
+      cell.level = level_for(parting / radius);
       if (before != nullptr)
         cell.level = std::clamp(before->level,
                                 level_for(parting / radius / slack),
@@ -278,29 +306,43 @@ namespace Heddle
       const double at_contact    = a.radius + b.radius;
       const auto   first_of_zone = all_cells.size();
       double       known_penalty = 0.;
+      CellEnd      end           = {};
+      bool         continues     = false;
       for (cell.number = std::floor(first_p / size);
            cell.number * size < last_p;
            ++cell.number)
         {
-          const auto    p     = range(cell, between);
-          const double  q     = zone.guess(0.5 * (p.first + p.second));
-          const CellEnd begin = cell_end(between, p.first, q);
+          // Neighbours share an end, and where fibers are close, particles
+          // beyond it are near those at it.
+          const auto p = range(cell, between);
+          CellEnd    begin =
+            continues ? end : cell_end(between, p.first, zone.guess(p.first));
+          const double gap = std::sqrt(begin.squared_distance) - at_contact;
+          continues        = gap < search_distance;
 
           // The distance changes by no more than p: so many cells are too far.
-          const double excess =
-            std::sqrt(begin.squared_distance) - at_contact - search_distance;
+          const double excess = gap - search_distance;
           if (excess > size)
             {
               cell.number += static_cast<int>(excess / size) - 1;
               continue;
             }
-          const CellEnd end = cell_end(between, p.second, q);
-          cell.clearance    = least_distance(between, begin, end) - at_contact;
+          end = cell_end(
+            between, p.second, continues ? begin.q : zone.guess(p.second));
+          if (std::abs(end.q - begin.q) > at_contact)
+            {
+              // Strongly bent fibers face each other in several places.
+              const double q = zone.guess(0.5 * (p.first + p.second));
+              begin          = cell_end(between, p.first, q);
+              end            = cell_end(between, p.second, q);
+            }
+          cell.clearance = least_distance(between, begin, end) - at_contact;
           if (cell.clearance > search_distance)
             continue;
+          cell.clearance -= moved[cell.fiber_a] + moved[cell.fiber_b];
           cell.q_begin = begin.q;
           cell.q_end   = end.q;
-          if (is_covered(cell, size))
+          if (is_covered(cell, size, first_of_pair, first_of_zone))
             continue;
           const ContactCell *old = stiffest(cell, whole, old_cells);
           cell.penalty           = old ? old->penalty : 0.;
@@ -321,48 +363,62 @@ namespace Heddle
 
 
     bool
-    ContactCells::is_covered(const ContactCell &cell, const double size) const
+    ContactCells::is_covered(const ContactCell &cell,
+                             const double       size,
+                             const std::size_t  first_of_pair,
+                             const std::size_t  first_of_zone) const
     {
-      for (auto other = all_cells.rbegin();
-           other != all_cells.rend() && other->fiber_a == cell.fiber_a &&
-           other->fiber_b == cell.fiber_b;
-           ++other)
-        if (other->zone != cell.zone && other->number == cell.number &&
-            other->level == cell.level &&
-            other->orientation == cell.orientation &&
-            std::abs(other->q_begin - cell.q_begin) < size)
-          return true;
+      for (std::size_t k = first_of_pair; k < first_of_zone; ++k)
+        {
+          const ContactCell &other = all_cells[k];
+          if (other.number == cell.number && other.level == cell.level &&
+              other.orientation == cell.orientation &&
+              std::abs(other.q_begin - cell.q_begin) < size)
+            return true;
+        }
       return false;
     }
 
 
 
-    const ContactCell *
-    ContactCells::old_cell(const unsigned int              fiber_a,
+    ContactCells::OldCells
+    ContactCells::cells_of(const unsigned int              fiber_a,
                            const unsigned int              fiber_b,
-                           const double                    s_a,
-                           const double                    s_b,
-                           const double                    whole,
-                           const std::vector<ContactCell> &old_cells) const
+                           const std::vector<ContactCell> &cells)
     {
-      ContactCell low            = {};
-      low.fiber_a                = fiber_a;
-      low.fiber_b                = fiber_b;
-      low.orientation            = -2;
+      const auto before =
+        [](const ContactCell                           &cell,
+           const std::pair<unsigned int, unsigned int> &pair) {
+          return std::tie(cell.fiber_a, cell.fiber_b) <
+                 std::tie(pair.first, pair.second);
+        };
+      const auto begin = std::lower_bound(
+        cells.begin(), cells.end(), std::make_pair(fiber_a, fiber_b), before);
+      const auto end = std::lower_bound(
+        begin, cells.end(), std::make_pair(fiber_a, fiber_b + 1), before);
+      return {cells.data() + (begin - cells.begin()),
+              cells.data() + (end - cells.begin())};
+    }
+
+
+
+    const ContactCell *
+    ContactCells::nearest(const OldCells &old_cells,
+                          const double    s_a,
+                          const double    s_b,
+                          const double    whole)
+    {
       double             nearest = 2. * whole;
       const ContactCell *found   = nullptr;
-      for (auto old = std::lower_bound(old_cells.begin(), old_cells.end(), low);
-           old != old_cells.end() && old->fiber_a == fiber_a &&
-           old->fiber_b == fiber_b;
-           ++old)
+      for (const ContactCell &old : old_cells)
         {
-          const CellPlace there = place_of(*old, whole);
+          const CellPlace there = place_of(old, whole);
           const double    apart =
             std::abs(there.s_a - s_a) + std::abs(there.s_b - s_b);
           if (apart < nearest)
             {
               nearest = apart;
-              found   = &*old;
+              found   = &old;
             }
         }
       return found;
@@ -371,35 +427,45 @@ namespace Heddle
 
 
     const ContactCell *
-    ContactCells::stiffest(const ContactCell              &cell,
-                           const double                    whole,
-                           const std::vector<ContactCell> &old_cells) const
+    ContactCells::stiffest(const ContactCell &cell,
+                           const double       whole,
+                           const OldCells    &old_cells)
     {
       // The cell itself, one of another level that covers its middle, or, where
       // the fibers turned through a right angle, one of the other orientation
-      // between the same particles.
-      ContactCell low  = cell;
-      low.orientation  = -2;
-      const auto place = [whole](const ContactCell &any) {
-        return place_of(any, whole);
+      // between the same particles. If all are of one kind it can only be one
+      // of the same number.
+      const auto alike = [&cell](const ContactCell &old) {
+        return old.orientation == cell.orientation && old.level == cell.level;
       };
-      const CellPlace    here  = place(cell);
-      const ContactCell *found = nullptr;
-      for (auto old = std::lower_bound(old_cells.begin(), old_cells.end(), low);
-           old != old_cells.end() && old->fiber_a == cell.fiber_a &&
-           old->fiber_b == cell.fiber_b;
-           ++old)
+      OldCells eligible = old_cells;
+      if (old_cells.first != old_cells.last && alike(*old_cells.first) &&
+          alike(*(old_cells.last - 1)))
         {
-          const CellPlace there = place(*old);
+          const auto number_below = [](const ContactCell &old,
+                                       const int          number) {
+            return old.number < number;
+          };
+          eligible.first = std::lower_bound(
+            old_cells.first, old_cells.last, cell.number, number_below);
+          eligible.last = std::lower_bound(
+            eligible.first, old_cells.last, cell.number + 1, number_below);
+        }
+
+      const CellPlace    here  = place_of(cell, whole);
+      const ContactCell *found = nullptr;
+      for (const ContactCell &old : eligible)
+        {
+          const CellPlace there = place_of(old, whole);
           const double    close = 0.3 * (there.size + here.size);
           const bool      same =
-            old->orientation == cell.orientation
+            old.orientation == cell.orientation
                    ? std::abs(there.p - here.p) < 0.51 * there.size &&
                   std::abs(there.q - here.q) < whole
                    : std::abs(there.s_a - here.s_a) < close &&
                   std::abs(there.s_b - here.s_b) < close;
-          if (same && (!found || old->penalty > found->penalty))
-            found = &*old;
+          if (same && (!found || old.penalty > found->penalty))
+            found = &old;
         }
       return found;
     }

@@ -9,8 +9,14 @@ namespace Heddle
   {
     namespace
     {
-      /** So short a step of Newton's method, in radii, is the last one. */
-      constexpr double last_step = 1e-9;
+      /**
+       * So short a step of Newton's method, in radii, is the last one: what it
+       * leaves is of second order ...
+       */
+      constexpr double last_step = 1e-6;
+
+      /** ... but not where the stiffness is none of the distance. */
+      constexpr double last_step_downhill = 1e-9;
     } // namespace
 
 
@@ -53,34 +59,39 @@ namespace Heddle
       result.interval_a = a.interval(0.5 * (p + q));
       result.interval_b = b.interval(0.5 * sigma * (p - q));
 
-      CurvePoint point_a, point_b;
+      PaddedPoint     point_a, point_b;
+      Eigen::Vector4d connection;
       for (unsigned int iteration = 0; iteration < 30; ++iteration)
         {
-          point_a = a.evaluate(0.5 * (p + q), result.interval_a);
-          point_b = b.evaluate(0.5 * sigma * (p - q), result.interval_b);
-          result.connection = point_a.position - point_b.position;
+          point_a = a.evaluate_padded(0.5 * (p + q), result.interval_a);
+          point_b = b.evaluate_padded(0.5 * sigma * (p - q), result.interval_b);
+          connection = point_a.position - point_b.position;
 
           // Newton's method for the stationary distance; where the distance is
           // not convex, downhill with the stiffness of straight fibers.
-          const Tensor<1, 3> sum    = point_a.tangent + sigma * point_b.tangent;
-          const double       force  = result.connection * sum;
-          const double       convex = 0.5 * sum.norm_square();
-          const double       curved =
-            0.5 * (result.connection * (point_a.curvature - point_b.curvature));
-          const double stiffness =
-            std::max(convex + curved, 0.2 * convex + 1e-3);
+          const Eigen::Vector4d sum = point_a.tangent + sigma * point_b.tangent;
+          const Eigen::Vector4d bent   = point_a.curvature - point_b.curvature;
+          const double          force  = connection.dot(sum);
+          const double          convex = 0.5 * sum.squaredNorm();
+          const double          curved = 0.5 * connection.dot(bent);
+          const double          least  = 0.2 * convex + 1e-3;
+          const double          stiffness = std::max(convex + curved, least);
           double step = std::min(std::max(-force / stiffness, -scale), scale);
           step = std::min(std::max(q + step, bounds.first), bounds.second) - q;
           q += step;
-          if (std::abs(step) < last_step * scale)
+          if (std::abs(step) <
+              (stiffness > least ? last_step : last_step_downhill) * scale)
             {
-              // What is left of second order is below round-off.
-              result.connection += 0.5 * step * sum;
-              point_a.tangent += 0.5 * step * point_a.curvature;
-              point_b.tangent -= 0.5 * sigma * step * point_b.curvature;
+              // What is left of third order is below round-off.
+              const double half = 0.5 * step;
+              connection += half * sum + 0.5 * half * half * bent;
+              point_a.tangent += half * point_a.curvature;
+              point_b.tangent -= half * sigma * point_b.curvature;
               break;
             }
         }
+      for (unsigned int d = 0; d < 3; ++d)
+        result.connection[d] = connection[d];
 
       result.s_a              = 0.5 * (p + q);
       result.s_b              = 0.5 * sigma * (p - q);
@@ -100,8 +111,8 @@ namespace Heddle
         advance_a = 0., advance_b = sigma;
       else if (result.end != FacingEnd::none)
         advance_a = 1., advance_b = 0.;
-      result.slope = 2. * (result.connection * (advance_a * point_a.tangent -
-                                                advance_b * point_b.tangent));
+      result.slope = 2. * connection.dot(advance_a * point_a.tangent -
+                                         advance_b * point_b.tangent);
 
       // A fiber does not touch its own neighbourhood.
       if (min_separation > 0. && orientation > 0 &&

@@ -86,12 +86,14 @@ namespace Heddle
                            fa          = -(connection * point_a.tangent),
                            fb          = connection * point_b.tangent;
               const double determinant = aa * bb - ab * ab;
-              s_a += bounded(
+              const double step_a      = bounded(
                 -largest_step, (bb * fa + ab * fb) / determinant, largest_step);
-              s_b += bounded(
+              const double step_b = bounded(
                 -largest_step, (ab * fa + aa * fb) / determinant, largest_step);
-              s_a = bounded(0., s_a, a.length());
-              s_b = bounded(0., s_b, b.length());
+              s_a = bounded(0., s_a + step_a, a.length());
+              s_b = bounded(0., s_b + step_b, b.length());
+              if (std::abs(step_a) + std::abs(step_b) < 1e-6 * largest_step)
+                break;
             }
           return point_a.tangent * point_b.tangent;
         }

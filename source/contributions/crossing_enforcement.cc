@@ -41,6 +41,7 @@ namespace Heddle
       const System::FiberSpace        &space,
       const std::vector<OrderedYarns> &crossings)
       : space(space)
+      , centerlines(space)
     {
       for (const OrderedYarns &yarns : crossings)
         enforced_yarns.emplace_back(yarns.upper, yarns.lower);
@@ -78,7 +79,7 @@ namespace Heddle
     double
     CrossingEnforcement::largest_overlap(System::State &state)
     {
-      update_curves(state);
+      centerlines.set(state, state.current());
       double largest = apart;
       for (Pair &pair : pairs)
         largest = std::max(largest, overlap(state, pair));
@@ -90,7 +91,7 @@ namespace Heddle
     void
     CrossingEnforcement::begin_step(System::State &state)
     {
-      update_curves(state);
+      centerlines.set(state, state.current());
       for (Pair &pair : pairs)
         if (overlap(state, pair) > apart)
           pair.climb = std::min(pair.crossing.normal.norm(), steepest);
@@ -107,47 +108,13 @@ namespace Heddle
 
 
 
-    void
-    CrossingEnforcement::update_curves(const System::State &state)
-    {
-      first_knot.assign(space.n_fibers(), 0);
-      unsigned int n_knots = 0;
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        if (state.has(f))
-          {
-            first_knot[f] = n_knots;
-            n_knots += space.fiber(f).n_nodes;
-          }
-      knot_positions.resize(n_knots);
-      knot_tangents.resize(n_knots);
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        if (state.has(f))
-          space.centerline_knots(f,
-                                 state.fiber(f),
-                                 knot_positions.data() + first_knot[f],
-                                 knot_tangents.data() + first_knot[f]);
-    }
-
-
-
-    Contact::Curve
-    CrossingEnforcement::curve(const unsigned int f) const
-    {
-      return Contact::Curve(space.fiber(f).n_nodes,
-                            space.node_positions(f),
-                            knot_positions.data() + first_knot[f],
-                            knot_tangents.data() + first_knot[f],
-                            space.fiber(f).radius);
-    }
-
-
-
     double
     CrossingEnforcement::overlap(const System::State &state, Pair &pair) const
     {
       if (!state.has(pair.upper) || !state.has(pair.lower) ||
-          !Contact::find_projected_crossing(
-            curve(pair.upper), curve(pair.lower), pair.crossing))
+          !Contact::find_projected_crossing(centerlines.curve(pair.upper),
+                                            centerlines.curve(pair.lower),
+                                            pair.crossing))
         return apart;
       return pair.climb * (space.fiber(pair.upper).radius +
                            space.fiber(pair.lower).radius) -
@@ -159,7 +126,7 @@ namespace Heddle
     void
     CrossingEnforcement::place_elements(const System::State &state)
     {
-      update_curves(state);
+      centerlines.set(state, state.current());
       elements.clear();
       for (Pair &pair : pairs)
         {

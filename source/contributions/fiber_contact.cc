@@ -15,8 +15,15 @@ namespace Heddle
   {
     namespace
     {
-      /** Motion after which fibers are searched anew, in search distances. */
-      constexpr double stale_after = 0.125;
+      /** Motion after which a fiber is searched anew, in search distances. */
+      constexpr double stale_after = 0.1;
+
+      /**
+       * No step moves a fiber further. Two fibers may both have moved nearly as
+       * far as makes them stale when it begins, and one of them when the pair
+       * was searched because of the other one: they still have not met unseen.
+       */
+      constexpr double longest_step = 0.5 * (1. - 3. * stale_after);
 
       /**
        * Thickness of the softest skin, in radii. A thicker one swells the yarns
@@ -65,6 +72,7 @@ namespace Heddle
       , threshold(parameters.threshold)
       , largest_radius(find_largest_radius(space))
       , filter([](unsigned int, unsigned int) { return true; })
+      , centerlines(space)
       , cells(parameters.search_distance * largest_radius,
               parameters.refinement,
               [this](const unsigned int a, const unsigned int b) {
@@ -88,6 +96,7 @@ namespace Heddle
     FiberContact::set_threshold(const double value)
     {
       threshold = value;
+      placed    = false;
     }
 
 
@@ -103,6 +112,7 @@ namespace Heddle
       while (statistics.n_active > 0.)
         {
           cells.forgive();
+          placed = false;
           update(state);
         }
       hardening = 0.;
@@ -133,8 +143,8 @@ namespace Heddle
         searched ? *std::max_element(moved.begin(), moved.end()) : distance,
         space.communicator());
       if (furthest > stale_after * distance)
-        search(state);
-      place_elements();
+        search(state, stale_after * distance);
+      place_elements(state);
       gather_statistics();
     }
 
@@ -145,7 +155,7 @@ namespace Heddle
     {
       update_curves(state);
       measure_motion(state);
-      place_elements();
+      place_elements(state);
     }
 
 
@@ -153,31 +163,11 @@ namespace Heddle
     void
     FiberContact::update_curves(const System::State &state)
     {
-      first_knot.assign(space.n_fibers(), 0);
-      unsigned int n_knots = 0;
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        if (state.has(f))
-          {
-            first_knot[f] = n_knots;
-            n_knots += space.fiber(f).n_nodes;
-          }
-      knot_positions.resize(n_knots);
-      knot_tangents.resize(n_knots);
+      centerlines.set(state, state.current());
       curves.reset(space.n_fibers());
       for (unsigned int f = 0; f < space.n_fibers(); ++f)
         if (state.has(f))
-          {
-            Tensor<1, 3> *positions = knot_positions.data() + first_knot[f];
-            Tensor<1, 3> *tangents  = knot_tangents.data() + first_knot[f];
-            space.centerline_knots(f, state.fiber(f), positions, tangents);
-            curves.add({f,
-                        space.owns(f),
-                        Contact::Curve(space.fiber(f).n_nodes,
-                                       space.node_positions(f),
-                                       positions,
-                                       tangents,
-                                       space.fiber(f).radius)});
-          }
+          curves.add({f, space.owns(f), centerlines.curve(f), /*stale=*/false});
     }
 
 
@@ -192,14 +182,14 @@ namespace Heddle
           {
             const double third =
               space.fiber(f).length / (3. * (space.fiber(f).n_nodes - 1));
-            for (unsigned int i = first_knot[f];
-                 i < first_knot[f] + space.fiber(f).n_nodes;
+            const unsigned int first = centerlines.first_knot(f);
+            for (unsigned int i = first; i < first + space.fiber(f).n_nodes;
                  ++i)
               {
                 const Tensor<1, 3> position =
-                  knot_positions[i] - searched_at[2 * i];
+                  centerlines.positions()[i] - searched_at[2 * i];
                 const Tensor<1, 3> tangent =
-                  third * (knot_tangents[i] - searched_at[2 * i + 1]);
+                  third * (centerlines.tangents()[i] - searched_at[2 * i + 1]);
                 moved[f] = std::max({moved[f],
                                      (position + tangent).norm(),
                                      (position - tangent).norm()});
@@ -209,7 +199,7 @@ namespace Heddle
 
 
 
-    void
+    bool
     FiberContact::fetch_near_fibers(System::State &state)
     {
       // Boxes of whole fibers, from all ranks, say which may come near.
@@ -223,12 +213,12 @@ namespace Heddle
           {
             const double third =
               space.fiber(f).length / (3. * (space.fiber(f).n_nodes - 1));
-            const unsigned int k = first_knot[f] + i;
+            const unsigned int k = centerlines.first_knot(f) + i;
             for (const double side : {-third, 0., third})
               for (unsigned int d = 0; d < 3; ++d)
                 {
-                  const double x =
-                    knot_positions[k][d] + side * knot_tangents[k][d];
+                  const double x = centerlines.positions()[k][d] +
+                                   side * centerlines.tangents()[k][d];
                   boxes[6 * f + d] = std::max(boxes[6 * f + d], x + margin);
                   boxes[6 * f + 3 + d] =
                     std::max(boxes[6 * f + 3 + d], margin - x);
@@ -260,6 +250,7 @@ namespace Heddle
           state.set_ghost_fibers(near);
           pattern_pairs.clear();
         }
+      return changed;
     }
 
 
@@ -286,29 +277,47 @@ namespace Heddle
 
 
     void
-    FiberContact::search(System::State &state)
+    FiberContact::search(System::State &state, const double stale)
     {
-      fetch_near_fibers(state);
+      const bool anew = fetch_near_fibers(state) || !searched;
       update_curves(state);
-      searched_at.resize(2 * knot_positions.size());
-      for (unsigned int i = 0; i < knot_positions.size(); ++i)
+      if (anew)
         {
-          searched_at[2 * i]     = knot_positions[i];
-          searched_at[2 * i + 1] = knot_tangents[i];
+          searched_at.resize(2 * centerlines.positions().size());
+          moved.assign(space.n_fibers(), std::numeric_limits<double>::max());
         }
-      cells.search(curves, filter);
-      moved.assign(space.n_fibers(), 0.);
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        if (state.has(f) && moved[f] > stale)
+          {
+            const unsigned int first = centerlines.first_knot(f);
+            for (unsigned int i = first; i < first + space.fiber(f).n_nodes;
+                 ++i)
+              {
+                searched_at[2 * i]     = centerlines.positions()[i];
+                searched_at[2 * i + 1] = centerlines.tangents()[i];
+              }
+            curves.set_stale(f);
+            moved[f] = 0.;
+          }
+      cells.search(curves, moved, filter);
       searched = true;
+      placed   = false;
     }
 
 
 
     void
-    FiberContact::place_elements()
+    FiberContact::place_elements(const System::State &state)
     {
+      // The line search often ends where it looked last.
+      if (placed && placed_at == state.current())
+        return;
       contact_elements.clear();
       cells.place_elements(
         curves, moved, threshold, softness * thickest_skin, contact_elements);
+      placed    = true;
+      placed_at = state.current();
+      ++n_placements;
     }
 
 
@@ -470,16 +479,15 @@ namespace Heddle
     FiberContact::slope_and_curvature(const System::State     &state,
                                       const System::Increment &increment) const
     {
-      unsigned int blocks[8];
-      double       weights[8];
-      double       slope = 0., curvature = 0.;
+      Centerlines motion(space);
+      motion.set(state, increment);
+      double slope = 0., curvature = 0.;
       for (const Contact::ContactElement &element : contact_elements)
         if (element.force > 0. && space.owns(element.fiber_a))
           {
-            locate(state, element, blocks, weights);
-            double opening = 0.;
-            for (unsigned int i = 0; i < 8; ++i)
-              opening += weights[i] * (element.normal * increment[blocks[i]]);
+            const double opening =
+              element.normal * (motion.curve(element.fiber_a).at(element.s_a) -
+                                motion.curve(element.fiber_b).at(element.s_b));
             slope -= element.force * opening;
             curvature += stiffness(element) * opening * opening;
           }
@@ -521,7 +529,7 @@ namespace Heddle
                              increment[state.local_block(f) + b].norm());
         }
       const double allowed =
-        (0.5 - stale_after) * parameters.search_distance * largest_radius;
+        longest_step * parameters.search_distance * largest_radius;
       return allowed / std::max(largest, 1e-300);
     }
 
@@ -543,6 +551,7 @@ namespace Heddle
       if (statistics.deepest <= allowed)
         return false;
       cells.adapt(allowed);
+      placed = false;
       return true;
     }
 

@@ -46,10 +46,14 @@ namespace Heddle
     void
     FiberFriction::place_elements(const System::State &state)
     {
+      // Contact places its elements anew wherever fibers have moved.
+      if (placement == contact.placement())
+        return;
       elements.clear();
       for (const Contact::ContactElement &touching : contact.elements())
         if (touching.force > 0.)
           elements.push_back(make_element(state, touching));
+      placement = contact.placement();
     }
 
 
@@ -259,6 +263,7 @@ namespace Heddle
                              element.law.limit});
         }
       memory.set(records);
+      placement = 0;
       sum_over_ranks(sums, space.communicator());
       dissipated += sums[0] - (sums[1] - stored);
       stored = sums[1];
@@ -271,6 +276,7 @@ namespace Heddle
     {
       std::vector<Contact::FrictionMemory::Record> none;
       memory.set(none);
+      placement = 0;
       stored = dissipated = 0.;
     }
 
@@ -294,6 +300,7 @@ namespace Heddle
       memory.load(archive, name() + "/displacements", [this](unsigned int f) {
         return space.owns(f);
       });
+      placement  = 0;
       stored     = archive.read_number(name() + "/stored");
       dissipated = archive.read_number(name() + "/dissipated");
     }

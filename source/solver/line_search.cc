@@ -134,7 +134,12 @@ namespace Heddle
     double
     LineSearch::slope_at(const double factor)
     {
-      state.move(factor, increment);
+      // As the iteration will move, to the last digit: where it ends here
+      // nothing has to be found anew.
+      trial.resize(increment.size());
+      for (unsigned int b = 0; b < trial.size(); ++b)
+        trial[b] = factor * increment[b];
+      state.move(1., trial);
       for (const auto &contribution : contributions)
         if (contribution->is_rough())
           contribution->probe(state);

@@ -103,18 +103,27 @@ struct Knots
       }
   }
 
+  /** Good until the next one of these knots. */
   Heddle::Contact::Curve
   curve(const double radius) const
   {
-    return {static_cast<unsigned int>(positions.size()),
+    const unsigned int n = positions.size();
+    cubics.resize(n);
+    Heddle::Contact::set_cubics(
+      n, arc_lengths.data(), positions.data(), tangents.data(), cubics.data());
+    return {n,
             arc_lengths.data(),
             positions.data(),
             tangents.data(),
+            cubics.data(),
             radius};
   }
 
   std::vector<double>       arc_lengths;
   std::vector<Tensor<1, 3>> positions, tangents;
+
+private:
+  mutable std::vector<Heddle::Contact::CurveCubic> cubics;
 };
 
 

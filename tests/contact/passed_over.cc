@@ -1,16 +1,13 @@
 // Cells that were too far from contact at the search are passed over while
 // fibers move: the elements are the same as without that, near ends, along
 // parallel fibers and at crossings, of a fiber with itself too.
-#include <heddle/contact/contact_cells.h>
-
 #include "../tests.h"
-#include "knots.h"
+#include "random_fibers.h"
 
 using Heddle::Contact::ContactCells;
 using Heddle::Contact::ContactElement;
 
 constexpr unsigned int n_fibers        = 30;
-constexpr unsigned int n_intervals     = 9;
 constexpr double       search_distance = 2., threshold = 0.05, skin = 0.05;
 
 /** How many contact elements differ with what is passed over, of how many. */
@@ -21,54 +18,20 @@ struct Count
 
 
 
-/** Fibers around a few directions, so that many run along each other. */
-std::vector<Knots>
-random_fibers(RandomNumbers &random)
-{
-  std::vector<Tensor<1, 3>> directions;
-  for (unsigned int k = 0; k < 3; ++k)
-    directions.push_back(random.direction());
-  std::vector<Knots> knots;
-  for (unsigned int f = 0; f < n_fibers; ++f)
-    {
-      const Tensor<1, 3> along = directions[f % directions.size()];
-      const Tensor<1, 3> middle({random.between(-7., 7.),
-                                 random.between(-7., 7.),
-                                 random.between(-7., 7.)});
-      const double       length = random.between(10., 30.);
-      knots.emplace_back(wavy_line(middle - 0.5 * length * along,
-                                   along,
-                                   length,
-                                   /*height=*/2.,
-                                   random),
-                         n_intervals);
-    }
-  return knots;
-}
-
-
-
-Heddle::Contact::CurveList
-curves_of(const std::vector<Knots> &knots)
-{
-  Heddle::Contact::CurveList curves;
-  curves.reset(n_fibers);
-  for (unsigned int f = 0; f < n_fibers; ++f)
-    curves.add({f, true, knots[f].curve(/*radius=*/1.)});
-  return curves;
-}
-
-
-
 void
 compare(const unsigned int seed, const double motion, Count &count)
 {
-  RandomNumbers      random(seed);
-  std::vector<Knots> knots = random_fibers(random);
-  ContactCells       cells(search_distance,
+  RandomNumbers             random(seed);
+  std::vector<Tensor<1, 3>> directions;
+  for (unsigned int k = 0; k < 3; ++k)
+    directions.push_back(random.direction());
+  std::vector<Knots> knots =
+    random_fibers(n_fibers, directions, /*height=*/2., random);
+  ContactCells cells(search_distance,
                      /*refinement=*/2.,
                      [](unsigned int, unsigned int) { return 1.; });
   cells.search(curves_of(knots),
+               std::vector<double>(knots.size(), 0.),
                [](unsigned int, unsigned int) { return true; });
 
   std::vector<double> moved(n_fibers), far(n_fibers, 1e300);

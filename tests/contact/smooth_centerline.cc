@@ -84,8 +84,11 @@ examine(const std::string &name,
   std::vector<Tensor<1, 3>> positions(n_nodes), tangents(n_nodes);
   space.centerline_knots(
     0, random_curve.data(), positions.data(), tangents.data());
+  std::vector<Heddle::Contact::CurveCubic> cubics(n_nodes);
+  Heddle::Contact::set_cubics(
+    n_nodes, s_nodes, positions.data(), tangents.data(), cubics.data());
   const Heddle::Contact::Curve curve(
-    n_nodes, s_nodes, positions.data(), tangents.data(), 1.);
+    n_nodes, s_nodes, positions.data(), tangents.data(), cubics.data(), 1.);
   unsigned int hint = 0;
   for (unsigned int k = 0; k <= 200; ++k)
     {

@@ -16,6 +16,7 @@ namespace Heddle
       unsigned int fiber;
       bool         own; /**< pairs of two foreign curves are not searched */
       Curve        curve;
+      bool         stale = true; /**< nor are those of two that are not stale */
     };
 
     /**

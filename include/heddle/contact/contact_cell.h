@@ -32,7 +32,10 @@ namespace Heddle
       /** By how much the sum of the radii is taken smaller [mm]. */
       double forgiven = 0.;
 
-      /** At least so far apart were the surfaces at the last search [mm]. */
+      /**
+       * At least so far apart are the surfaces, less how far both fibers have
+       * moved since they were last searched as a whole [mm].
+       */
       double clearance = 0.;
 
       /** Penalty over that of the last accepted step. */

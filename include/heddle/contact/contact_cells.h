@@ -32,6 +32,18 @@ namespace Heddle
         return curves[position[fiber]].curve;
       }
 
+      void
+      set_stale(const unsigned int fiber)
+      {
+        curves[position[fiber]].stale = true;
+      }
+
+      bool
+      is_stale(const unsigned int fiber) const
+      {
+        return curves[position[fiber]].stale;
+      }
+
       const std::vector<NumberedCurve> &
       all() const
       {
@@ -75,16 +87,21 @@ namespace Heddle
                    const double        refinement,
                    const FirstPenalty &first_penalty);
 
-      /** Find zones and cover them with cells. */
+      /**
+       * Find zones and cover them with cells, for all pairs of which a curve is
+       * stale; others keep theirs. No point of the axis of fiber f has @p moved
+       * further than moved[f] since it was last stale [mm].
+       */
       void
-      search(const CurveList &curves, const Filter &filter);
+      search(const CurveList           &curves,
+             const std::vector<double> &moved,
+             const Filter              &filter);
 
       /**
        * Append the elements of all cells to @p elements, with forces by the law
        * that becomes linear at half of @p threshold times the radius, on
-       * surfaces that wear a skin of @p skin times the radius. No point of the
-       * axis of fiber f has @p moved further than moved[f] since the search
-       * [mm]: cells that were too far from contact for that are passed over.
+       * surfaces that wear a skin of @p skin times the radius. With @p moved as
+       * in search(), cells that are too far from contact are passed over.
        */
       void
       place_elements(const CurveList             &curves,
@@ -171,29 +188,64 @@ namespace Heddle
       std::pair<double, double>
       range(const ContactCell &cell, const IntermediateGeometry &between) const;
 
+      /** The cells that a pair of fibers had before a search, sorted. */
+      struct OldCells
+      {
+        const ContactCell *first, *last;
+
+        const ContactCell *
+        begin() const
+        {
+          return first;
+        }
+
+        const ContactCell *
+        end() const
+        {
+          return last;
+        }
+      };
+
+      /** Leave the cells, and zones, of pairs of which no curve is stale. */
       void
-      cover_zone(const CurveList                &curves,
-                 const ProximityZone            &zone,
+      keep_cells(const CurveList                &curves,
                  const std::vector<ContactCell> &old_cells);
 
-      /** Whether the cell is there already, from another zone of the pair. */
-      bool
-      is_covered(const ContactCell &cell, const double size) const;
-
-      /** The nearest of @p old_cells of the pair, unless all are far. */
-      const ContactCell *
-      old_cell(const unsigned int              fiber_a,
+      static OldCells
+      cells_of(const unsigned int              fiber_a,
                const unsigned int              fiber_b,
-               const double                    s_a,
-               const double                    s_b,
-               const double                    whole,
-               const std::vector<ContactCell> &old_cells) const;
+               const std::vector<ContactCell> &cells);
+
+      /** The cells of this pair of fibers begin with @p first_of_pair. */
+      void
+      cover_zone(const CurveList           &curves,
+                 const std::vector<double> &moved,
+                 const ProximityZone       &zone,
+                 const OldCells            &old_cells,
+                 const std::size_t          first_of_pair);
+
+      /**
+       * Whether the cell is there already, among those of other zones of the
+       * pair, from @p first_of_pair to @p first_of_zone.
+       */
+      bool
+      is_covered(const ContactCell &cell,
+                 const double       size,
+                 const std::size_t  first_of_pair,
+                 const std::size_t  first_of_zone) const;
+
+      /** The nearest of @p old_cells, unless all are far. */
+      static const ContactCell *
+      nearest(const OldCells &old_cells,
+              const double    s_a,
+              const double    s_b,
+              const double    whole);
 
       /** That of @p old_cells where the cell is now, or nullptr. */
-      const ContactCell *
-      stiffest(const ContactCell              &cell,
-               const double                    whole,
-               const std::vector<ContactCell> &old_cells) const;
+      static const ContactCell *
+      stiffest(const ContactCell &cell,
+               const double       whole,
+               const OldCells    &old_cells);
 
       double
       forgiven(const ContactCell &cell) const;

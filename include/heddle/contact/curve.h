@@ -3,6 +3,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 
 namespace Heddle
@@ -20,21 +22,41 @@ namespace Heddle
     };
 
     /**
+     * One interval of a curve, $x = c_0 + t (c_1 + t (c_2 + t c_3))$ with the
+     * arc length t from its first knot. A fourth component, which is zero, lets
+     * three be computed at once.
+     */
+    struct CurveCubic
+    {
+      Eigen::Vector4d c0, c1, c2, c3;
+    };
+
+    /** A point of a curve, as CurvePoint, in the components of CurveCubic. */
+    struct PaddedPoint
+    {
+      Eigen::Vector4d position, tangent, curvature;
+    };
+
+    /**
      * View of the smooth axis of one fiber: a C1 piecewise cubic given by
-     * positions and tangents at its knots. Owns nothing.
+     * positions and tangents at its knots, and by the cubics between them. Owns
+     * nothing.
      */
     class Curve
     {
     public:
+      /** @p cubics: n_knots - 1 of them, as set_cubics() makes them. */
       Curve(const unsigned int  n_knots,
             const double       *arc_lengths,
             const Tensor<1, 3> *positions,
             const Tensor<1, 3> *tangents,
+            const CurveCubic   *cubics,
             const double        radius)
         : n_knots(n_knots)
         , arc_lengths(arc_lengths)
         , positions(positions)
         , tangents(tangents)
+        , cubics(cubics)
         , radius(radius)
       {
       }
@@ -57,6 +79,14 @@ namespace Heddle
       CurvePoint
       evaluate(const double s, unsigned int &interval) const;
 
+      /** Return the position at arc length @p s. */
+      Tensor<1, 3>
+      at(const double s) const;
+
+      /** The same as evaluate(), for inner loops. */
+      PaddedPoint
+      evaluate_padded(const double s, unsigned int &interval) const;
+
     private:
       /** The interval of @p s, sought from the interval @p from. */
       unsigned int
@@ -67,7 +97,8 @@ namespace Heddle
       const double *const       arc_lengths; /**< [mm] */
       const Tensor<1, 3> *const positions;   /**< [mm] */
       const Tensor<1, 3> *const tangents;    /**< [-] */
-      const double              radius;      /**< of the fiber's section [mm] */
+      const CurveCubic *const   cubics;
+      const double              radius; /**< of the fiber's section [mm] */
     };
 
 
@@ -94,29 +125,79 @@ namespace Heddle
 
 
 
+    inline PaddedPoint
+    Curve::evaluate_padded(const double s, unsigned int &interval) const
+    {
+      interval                = search(s, interval);
+      const CurveCubic &cubic = cubics[interval];
+      const double      t     = s - arc_lengths[interval];
+
+      const Eigen::Vector4d bent = cubic.c2 + t * cubic.c3;
+      const Eigen::Vector4d more = bent + t * cubic.c3;
+      return {cubic.c0 + t * (cubic.c1 + t * bent),
+              cubic.c1 + t * (bent + more),
+              2. * (more + t * cubic.c3)};
+    }
+
+
+
     inline CurvePoint
     Curve::evaluate(const double s, unsigned int &interval) const
     {
-      const unsigned int i = search(s, interval);
-      interval             = i;
-
-      const double h     = arc_lengths[i + 1] - arc_lengths[i];
-      const double per_h = 1. / h;
-      const double t     = (s - arc_lengths[i]) * per_h;
-
-      // x = x0 + t h (m0 + t (c + t d)) with
-      // c = 3 D - 2 m0 - m1, d = m0 + m1 - 2 D and D the mean slope.
-      CurvePoint point;
-      for (unsigned int k = 0; k < 3; ++k)
+      const PaddedPoint padded = evaluate_padded(s, interval);
+      CurvePoint        point;
+      for (unsigned int d = 0; d < 3; ++d)
         {
-          const double m0 = tangents[i][k], m1 = tangents[i + 1][k];
-          const double D = (positions[i + 1][k] - positions[i][k]) * per_h;
-          const double c = 3. * D - 2. * m0 - m1, d = m0 + m1 - 2. * D;
-          point.position[k]  = positions[i][k] + t * h * (m0 + t * (c + t * d));
-          point.tangent[k]   = m0 + t * (2. * c + 3. * t * d);
-          point.curvature[k] = (2. * c + 6. * t * d) * per_h;
+          point.position[d]  = padded.position[d];
+          point.tangent[d]   = padded.tangent[d];
+          point.curvature[d] = padded.curvature[d];
         }
       return point;
+    }
+
+
+
+    inline Tensor<1, 3>
+    Curve::at(const double s) const
+    {
+      unsigned int          i        = interval(s);
+      const Eigen::Vector4d position = evaluate_padded(s, i).position;
+      return Tensor<1, 3>({position[0], position[1], position[2]});
+    }
+
+
+
+    /**
+     * Set the @p n_knots - 1 cubics between knots at @p arc_lengths [mm] with
+     * these @p positions [mm] and @p tangents [-].
+     */
+    inline void
+    set_cubics(const unsigned int  n_knots,
+               const double       *arc_lengths,
+               const Tensor<1, 3> *positions,
+               const Tensor<1, 3> *tangents,
+               CurveCubic         *cubics)
+    {
+      for (unsigned int i = 0; i + 1 < n_knots; ++i)
+        {
+          // With the mean slope D the polynomial in t / h has
+          // c = 3 D - 2 m0 - m1 and d = m0 + m1 - 2 D after m0.
+          const double per_h = 1. / (arc_lengths[i + 1] - arc_lengths[i]);
+          CurveCubic  &cubic = cubics[i];
+          cubic              = {Eigen::Vector4d::Zero(),
+                                Eigen::Vector4d::Zero(),
+                                Eigen::Vector4d::Zero(),
+                                Eigen::Vector4d::Zero()};
+          for (unsigned int k = 0; k < 3; ++k)
+            {
+              const double m0 = tangents[i][k], m1 = tangents[i + 1][k];
+              const double D = (positions[i + 1][k] - positions[i][k]) * per_h;
+              cubic.c0[k]    = positions[i][k];
+              cubic.c1[k]    = m0;
+              cubic.c2[k]    = (3. * D - 2. * m0 - m1) * per_h;
+              cubic.c3[k]    = (m0 + m1 - 2. * D) * per_h * per_h;
+            }
+        }
     }
   } // namespace Contact
 } // namespace Heddle

@@ -4,6 +4,7 @@
 #include <heddle/contact/broad_phase.h>
 #include <heddle/contact/normal_law.h>
 #include <heddle/contact/projected_crossing.h>
+#include <heddle/contributions/centerlines.h>
 #include <heddle/system/contribution.h>
 
 #include <array>
@@ -168,12 +169,6 @@ namespace Heddle
       puts_above(const unsigned int a, const unsigned int b) const;
 
       void
-      update_curves(const System::State &state);
-
-      Contact::Curve
-      curve(const unsigned int f) const;
-
-      void
       place_elements(const System::State &state);
 
       /** Overlap of a pair without allowance; negative if apart [mm]. */
@@ -199,8 +194,7 @@ namespace Heddle
       std::vector<Element>                elements;
       std::vector<Contact::CandidatePair> pattern_intervals;
 
-      std::vector<unsigned int> first_knot;
-      std::vector<Tensor<1, 3>> knot_positions, knot_tangents;
+      Centerlines centerlines;
 
       /** Over all ranks. */
       double n_overlapping = 0., mean_force = 0., energy = 0., deepest = 0.;

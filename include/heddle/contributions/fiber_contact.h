@@ -3,6 +3,7 @@
 
 #include <heddle/contact/contact_cells.h>
 #include <heddle/contact/contact_parameters.h>
+#include <heddle/contributions/centerlines.h>
 #include <heddle/system/contribution.h>
 
 #include <algorithm>
@@ -69,6 +70,7 @@ namespace Heddle
       set_softness(const double value) override
       {
         softness = value;
+        placed   = false;
       }
 
       /** Nothing is rough as long as no fibers come near each other. */
@@ -151,6 +153,13 @@ namespace Heddle
         return contact_elements;
       }
 
+      /** Elements are others, or elsewhere, when this is another number. */
+      unsigned int
+      placement() const
+      {
+        return n_placements;
+      }
+
       /** Derivative of an element's force by its penetration [N/mm]. */
       double
       stiffness(const Contact::ContactElement &element) const;
@@ -183,14 +192,17 @@ namespace Heddle
       void
       update_curves(const System::State &state);
 
-      void
+      /** Return whether there are others now: knots have other numbers. */
+      bool
       fetch_near_fibers(System::State &state);
 
+      /** Search what has moved further than @p stale [mm]; at first, all. */
       void
-      search(System::State &state);
+      search(System::State &state, const double stale);
 
+      /** Unless they are already as they have to be. */
       void
-      place_elements();
+      place_elements(const System::State &state);
 
       void
       gather_statistics();
@@ -238,14 +250,18 @@ namespace Heddle
       bool                              searched = false;
       std::vector<Tensor<1, 3>>         searched_at;
       std::vector<double>               moved; /**< since then, by fiber [mm] */
-      std::vector<unsigned int>         first_knot;
-      std::vector<Tensor<1, 3>>         knot_positions, knot_tangents;
+      Centerlines                       centerlines;
       Contact::CurveList                curves;
       Contact::ContactCells             cells;
       std::vector<Contact::ContactCell> accepted_cells;
       double                            accepted_active = 0.;
       std::vector<Contact::ContactElement> contact_elements;
       Statistics                           statistics;
+
+      /** Whether elements are still as the cells say, in this configuration. */
+      bool                      placed = false;
+      std::vector<Tensor<1, 3>> placed_at;
+      unsigned int              n_placements = 0;
 
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;

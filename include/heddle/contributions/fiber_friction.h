@@ -138,6 +138,9 @@ namespace Heddle
       Contact::FrictionMemory           memory;
       std::vector<Element>              elements;
 
+      /** That of contact from which they were made; 0: make them anew. */
+      unsigned int placement = 0;
+
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;
       unsigned int                        ghost_version = 0;

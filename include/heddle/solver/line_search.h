@@ -64,6 +64,7 @@ namespace Heddle
       const Contributions            &contributions;
       const System::Increment        &increment;
       const std::vector<Tensor<1, 3>> start;
+      System::Increment               trial;
       double                          first_slope      = 0.;
       double                          smooth_slope     = 0.;
       double                          smooth_curvature = 0.;
