@@ -386,20 +386,37 @@ namespace Heddle
       const double idle =
         165e6 * Utilities::MPI::n_mpi_processes(fiber_space->communicator());
 
-      // Blocks of 3x3 in a row of the tangent: the fiber's own and, about ten
-      // neighbours of two blocks each, those of contact. Bands, vectors and
-      // cells of contact take as much again, a sparse factorization far more.
-      // From 6 000 to 96 000 unknowns this was right to a quarter.
-      const double per_row = 3. * fiber_space->element().n_blocks() / 2. +
-                             (fiber_contact ? 20. : 0.);
+      // Measured with 6 000 to 270 000 unknowns, and met to a fifth with
+      // conjugate gradients, see doc/benchmarks.md: elements, bands and vectors
+      // by unknowns; tangent and cells of contact by watched cells, of which
+      // there are about 16 for a node of a packed yarn; friction couples twice
+      // as many blocks. A sparse factorization takes far more.
+      const double n_dofs = fiber_space->n_dofs();
+      const double fibers =
+        will_be_factorized(n_matrix_nodes)
+          ? (fiber_friction ? 14e3 : 7e3) * n_dofs
+          : 1.14e3 * n_dofs +
+              (fiber_contact ? 16. * fiber_space->n_nodes() : 0.) *
+                (fiber_friction ? 1.96e3 : 0.83e3);
 
-      // Nodes of the matrix are coupled to those of the cells around them.
-      const double per_matrix_row = parameters.matrix.degree == 1 ? 27. : 64.;
-      const double times = will_be_factorized(n_matrix_nodes) ? 10. : 2.;
-      return idle + times *
-                      (fiber_space->n_blocks() * per_row +
-                       n_matrix_nodes * per_matrix_row) *
-                      9. * sizeof(double);
+      // Nodes of the matrix are coupled to those of the cells around them:
+      // blocks of 3 x 3.
+      const double per_node = parameters.matrix.degree == 1 ? 27. : 64.;
+      const double times    = will_be_factorized(n_matrix_nodes) ? 10. : 2.;
+      return idle + fibers +
+             times * n_matrix_nodes * per_node * 9. * sizeof(double);
+    }
+
+
+
+    double
+    Scene::estimated_seconds(const double n_matrix_nodes) const
+    {
+      // Measured with 6 000 to 270 000 unknowns on one rank, and met to a
+      // third.
+      const double n_dofs = fiber_space->n_dofs() + 3. * n_matrix_nodes;
+      return (will_be_factorized(n_matrix_nodes) ? 16e-6 : 8e-6) * n_dofs /
+             Utilities::MPI::n_mpi_processes(fiber_space->communicator());
     }
   } // namespace Simulation
 } // namespace Heddle

@@ -128,6 +128,11 @@ namespace Heddle
       double
       estimated_memory(const double n_matrix_nodes) const;
 
+      /** The time of one Newton iteration, roughly, of fibers in contact [s].
+       */
+      double
+      estimated_seconds(const double n_matrix_nodes) const;
+
       /** The owned blocks at the start, displacements count from here. */
       const std::vector<Tensor<1, 3>> &
       initial() const
