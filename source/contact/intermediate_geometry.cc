@@ -59,23 +59,27 @@ namespace Heddle
       result.interval_a = a.interval(0.5 * (p + q));
       result.interval_b = b.interval(0.5 * sigma * (p - q));
 
-      PaddedPoint     point_a, point_b;
-      Eigen::Vector4d connection;
+      PaddedPoint point_a, point_b;
+      double      connection[4];
       for (unsigned int iteration = 0; iteration < 30; ++iteration)
         {
           point_a = a.evaluate_padded(0.5 * (p + q), result.interval_a);
           point_b = b.evaluate_padded(0.5 * sigma * (p - q), result.interval_b);
-          connection = point_a.position - point_b.position;
 
           // Newton's method for the stationary distance; where the distance is
           // not convex, downhill with the stiffness of straight fibers.
-          const Eigen::Vector4d sum = point_a.tangent + sigma * point_b.tangent;
-          const Eigen::Vector4d bent   = point_a.curvature - point_b.curvature;
-          const double          force  = connection.dot(sum);
-          const double          convex = 0.5 * sum.squaredNorm();
-          const double          curved = 0.5 * connection.dot(bent);
-          const double          least  = 0.2 * convex + 1e-3;
-          const double          stiffness = std::max(convex + curved, least);
+          double sum[4], bent[4], force = 0., convex = 0., curved = 0.;
+          for (unsigned int k = 0; k < 4; ++k)
+            {
+              connection[k] = point_a.position[k] - point_b.position[k];
+              sum[k]        = point_a.tangent[k] + sigma * point_b.tangent[k];
+              bent[k]       = point_a.curvature[k] - point_b.curvature[k];
+              force += connection[k] * sum[k];
+              convex += 0.5 * sum[k] * sum[k];
+              curved += 0.5 * connection[k] * bent[k];
+            }
+          const double least     = 0.2 * convex + 1e-3;
+          const double stiffness = std::max(convex + curved, least);
           double step = std::min(std::max(-force / stiffness, -scale), scale);
           step = std::min(std::max(q + step, bounds.first), bounds.second) - q;
           q += step;
@@ -84,9 +88,12 @@ namespace Heddle
             {
               // What is left of third order is below round-off.
               const double half = 0.5 * step;
-              connection += half * sum + 0.5 * half * half * bent;
-              point_a.tangent += half * point_a.curvature;
-              point_b.tangent -= half * sigma * point_b.curvature;
+              for (unsigned int k = 0; k < 4; ++k)
+                {
+                  connection[k] += half * sum[k] + 0.5 * half * half * bent[k];
+                  point_a.tangent[k] += half * point_a.curvature[k];
+                  point_b.tangent[k] -= half * sigma * point_b.curvature[k];
+                }
               break;
             }
         }
@@ -111,8 +118,11 @@ namespace Heddle
         advance_a = 0., advance_b = sigma;
       else if (result.end != FacingEnd::none)
         advance_a = 1., advance_b = 0.;
-      result.slope = 2. * connection.dot(advance_a * point_a.tangent -
-                                         advance_b * point_b.tangent);
+      result.slope = 0.;
+      for (unsigned int k = 0; k < 3; ++k)
+        result.slope +=
+          2. * connection[k] *
+          (advance_a * point_a.tangent[k] - advance_b * point_b.tangent[k]);
 
       // A fiber does not touch its own neighbourhood.
       if (min_separation > 0. && orientation > 0 &&

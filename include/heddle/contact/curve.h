@@ -3,8 +3,6 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 
 namespace Heddle
@@ -24,17 +22,17 @@ namespace Heddle
     /**
      * One interval of a curve, $x = c_0 + t (c_1 + t (c_2 + t c_3))$ with the
      * arc length t from its first knot. A fourth component, which is zero, lets
-     * three be computed at once.
+     * the compiler do all at once; plain arrays, lest Debug takes far longer.
      */
-    struct CurveCubic
+    struct alignas(32) CurveCubic
     {
-      Eigen::Vector4d c0, c1, c2, c3;
+      double c0[4], c1[4], c2[4], c3[4];
     };
 
     /** A point of a curve, as CurvePoint, in the components of CurveCubic. */
-    struct PaddedPoint
+    struct alignas(32) PaddedPoint
     {
-      Eigen::Vector4d position, tangent, curvature;
+      double position[4], tangent[4], curvature[4];
     };
 
     /**
@@ -131,12 +129,16 @@ namespace Heddle
       interval                = search(s, interval);
       const CurveCubic &cubic = cubics[interval];
       const double      t     = s - arc_lengths[interval];
-
-      const Eigen::Vector4d bent = cubic.c2 + t * cubic.c3;
-      const Eigen::Vector4d more = bent + t * cubic.c3;
-      return {cubic.c0 + t * (cubic.c1 + t * bent),
-              cubic.c1 + t * (bent + more),
-              2. * (more + t * cubic.c3)};
+      PaddedPoint       point;
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const double bent  = cubic.c2[k] + t * cubic.c3[k];
+          const double more  = bent + t * cubic.c3[k];
+          point.position[k]  = cubic.c0[k] + t * (cubic.c1[k] + t * bent);
+          point.tangent[k]   = cubic.c1[k] + t * (bent + more);
+          point.curvature[k] = 2. * (more + t * cubic.c3[k]);
+        }
+      return point;
     }
 
 
@@ -160,9 +162,10 @@ namespace Heddle
     inline Tensor<1, 3>
     Curve::at(const double s) const
     {
-      unsigned int          i        = interval(s);
-      const Eigen::Vector4d position = evaluate_padded(s, i).position;
-      return Tensor<1, 3>({position[0], position[1], position[2]});
+      unsigned int      i     = interval(s);
+      const PaddedPoint point = evaluate_padded(s, i);
+      return Tensor<1, 3>(
+        {point.position[0], point.position[1], point.position[2]});
     }
 
 
@@ -184,10 +187,7 @@ namespace Heddle
           // c = 3 D - 2 m0 - m1 and d = m0 + m1 - 2 D after m0.
           const double per_h = 1. / (arc_lengths[i + 1] - arc_lengths[i]);
           CurveCubic  &cubic = cubics[i];
-          cubic              = {Eigen::Vector4d::Zero(),
-                                Eigen::Vector4d::Zero(),
-                                Eigen::Vector4d::Zero(),
-                                Eigen::Vector4d::Zero()};
+          cubic              = {};
           for (unsigned int k = 0; k < 3; ++k)
             {
               const double m0 = tangents[i][k], m1 = tangents[i + 1][k];
