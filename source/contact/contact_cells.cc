@@ -60,6 +60,20 @@ namespace Heddle
 
 
 
+      /**
+       * Crossing fibers part like p sin(angle / 2), so that their force goes
+       * like penalty / sin(angle / 2). If they keep their orientation beyond a
+       * right angle, by this factor of the penalty they feel the force of the
+       * other one.
+       */
+      double
+      factor_if_kept(const double cosine)
+      {
+        return cosine < 0. ? std::sqrt((1. - cosine) / (1. + cosine)) : 1.;
+      }
+
+
+
       /** The middle of a cell, and the particles that face each other there. */
       struct CellPlace
       {
@@ -279,6 +293,7 @@ namespace Heddle
       cell.orientation                   = zone.orientation;
       cell.zone                          = all_zones.size();
       cell.forgiven                      = forgiven(cell);
+      cell.kept                          = factor_if_kept(zone.cosine);
       const IntermediateGeometry between = geometry(curves, cell);
       const Curve               &a = between.a, &b = between.b;
 
@@ -345,15 +360,15 @@ namespace Heddle
           if (is_covered(cell, size, first_of_pair, first_of_zone))
             continue;
           const ContactCell *old = stiffest(cell, whole, old_cells);
-          cell.penalty           = old ? old->penalty : 0.;
-          cell.hardened          = old ? old->hardened : 1.;
-          known_penalty          = std::max(known_penalty, cell.penalty);
+          cell.penalty  = old ? old->penalty / old->kept * cell.kept : 0.;
+          cell.hardened = old ? old->hardened : 1.;
+          known_penalty = std::max(known_penalty, cell.penalty);
           all_cells.push_back(cell);
         }
 
       // A zone that grew is as stiff in its new cells as in its old ones.
       if (known_penalty == 0.)
-        known_penalty = first_penalty(zone.fiber_a, zone.fiber_b) *
+        known_penalty = first_penalty(zone.fiber_a, zone.fiber_b) * cell.kept *
                         (parting > radius ? crossing_factor : 1.);
       for (auto k = first_of_zone; k < all_cells.size(); ++k)
         if (all_cells[k].penalty == 0.)

@@ -27,8 +27,11 @@ namespace Heddle
 
 
 
-        /** Cosines below this count as none. */
-        constexpr double right_angle = 1e-3;
+        /**
+         * Below this cosine fibers keep the orientation that they have. In that
+         * one fibers turn towards the other one, for their energy falls.
+         */
+        constexpr double right_angle = 0.1;
 
 
 
@@ -217,8 +220,8 @@ namespace Heddle
                     std::sqrt(std::max(0., 1. - cosines[k] * cosines[k]));
                   weight_sum += weight;
                 }
-            // At a right angle both orientations give the same forces: it has
-            // to change where the fibers are at one, which is where they touch.
+            // At a right angle both orientations give the same forces. The
+            // angle is to be told where the fibers touch.
             const unsigned int closest_a = first[closest].interval_a,
                                closest_b = first[closest].interval_b;
             const double cosine = internal::ProximityZone::cosine_at_closest(
@@ -232,7 +235,8 @@ namespace Heddle
                 if (before != 0)
                   zone.orientation = before;
               }
-            zone.sine = sine_sum / weight_sum;
+            zone.cosine = zone.orientation * cosine;
+            zone.sine   = sine_sum / weight_sum;
 
             zone.begin = std::numeric_limits<double>::max();
             zone.end   = -zone.begin;

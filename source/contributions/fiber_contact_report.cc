@@ -106,8 +106,9 @@ namespace Heddle
                                  cell.orientation,
                                  cell.level,
                                  cell.number});
-            records.values.insert(records.values.end(),
-                                  {cell.q_begin, cell.q_end, cell.penalty});
+            records.values.insert(
+              records.values.end(),
+              {cell.q_begin, cell.q_end, cell.penalty / cell.kept});
           }
       archive.write(name() + "/cells", records);
 

@@ -98,7 +98,8 @@ main(int argc, char **argv)
       scene.set_path(1, line(1.985 * z_axis - 21.3 * b, b, 40.), n);
     };
   };
-  examine("angle from 85 to 95", 2, n, turn(85., 95.3));
+  examine("angle from 80 to 100", 2, n, turn(80., 100.3));
+  examine("angle from 99 to 81", 2, n, turn(99., 80.7));
   examine("angle from 85 to 25", 2, n, turn(85., 25.));
   examine("angle from 25 to 5", 2, n, turn(25., 5.));
   examine("angle from 5 to -5", 2, n, turn(5., -5.));

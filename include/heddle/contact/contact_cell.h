@@ -38,6 +38,9 @@ namespace Heddle
        */
       double clearance = 0.;
 
+      /** Penalty over what it would be if the orientation had not been kept. */
+      double kept = 1.;
+
       /** Penalty over that of the last accepted step. */
       double hardened = 1.;
     };

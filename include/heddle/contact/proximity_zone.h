@@ -33,6 +33,12 @@ namespace Heddle
       /** Mean sine of the angle of the fibers where they are close. */
       double sine;
 
+      /**
+       * Cosine of their angle where they are closest, in this orientation:
+       * below 0 if the fibers have kept it beyond a right angle.
+       */
+      double cosine;
+
       /** A guess of q at @p p, from the closest pair of intervals there. */
       double
       guess(const double p) const;
@@ -47,8 +53,8 @@ namespace Heddle
 
     /**
      * Group the candidates @p first to @p last, all of one pair of fibers, into
-     * zones. At a right angle, where both orientations are as good, @p known
-     * decides, lest round-off does.
+     * zones. Near a right angle, where both orientations are as good, @p known
+     * decides, lest forces jump to and fro between searches.
      */
     std::vector<ProximityZone>
     find_zones(
