@@ -144,28 +144,26 @@ namespace Heddle
           const unsigned int n     = 3 * element.n_blocks;
           const double       along = force * element.axes[0],
                        across      = force * element.axes[1];
-          for (unsigned int i = 0; i < element.n_blocks; ++i)
-            for (unsigned int d = 0; d < 3; ++d)
-              terms.residual()[3 * i + d] +=
-                along * by.rows[0][i][d] + across * by.rows[1][i][d];
+          const auto &by_along = by.rows[0], &by_across = by.rows[1];
+          for (unsigned int i = 0; i < n; ++i)
+            terms.residual()[i] += along * by_along[i] + across * by_across[i];
           if (system.wants_tangent())
             {
-              double            *tangent = terms.tangent();
               const Tensor<2, 3> k = element.law.stiffness(u, element.normal);
               const double       both = element.axes[0] * (k * element.axes[1]);
               const double first      = element.axes[0] * (k * element.axes[0]),
                            second     = element.axes[1] * (k * element.axes[1]);
-              for (unsigned int j = 0; j < element.n_blocks; ++j)
+              std::array<double, 3 * FrictionElement::max_blocks> f, g;
+              for (unsigned int j = 0; j < n; ++j)
                 {
-                  const Tensor<1, 3> f =
-                    first * by.rows[0][j] + both * by.rows[1][j];
-                  const Tensor<1, 3> g =
-                    both * by.rows[0][j] + second * by.rows[1][j];
-                  for (unsigned int i = 0; i < element.n_blocks; ++i)
-                    for (unsigned int d = 0; d < 3; ++d)
-                      for (unsigned int e = 0; e < 3; ++e)
-                        tangent[n * (3 * i + d) + 3 * j + e] +=
-                          by.rows[0][i][d] * f[e] + by.rows[1][i][d] * g[e];
+                  f[j] = first * by_along[j] + both * by_across[j];
+                  g[j] = both * by_along[j] + second * by_across[j];
+                }
+              for (unsigned int i = 0; i < n; ++i)
+                {
+                  double *row = terms.tangent() + n * i;
+                  for (unsigned int j = 0; j < n; ++j)
+                    row[j] += by_along[i] * f[j] + by_across[i] * g[j];
                 }
             }
         }

@@ -211,13 +211,14 @@ namespace Heddle
     FrictionElement::Derivative::Derivative(const FrictionElement &element)
     {
       for (unsigned int k = 0; k < 2; ++k)
-        if (element.on_axes())
-          for (unsigned int i = 0; i < 8; ++i)
-            rows[k][i] = element.weights[i] * element.by_separation[k] +
-                         element.slopes[i] * element.by_tangent[i / 4][k];
-        else
-          for (unsigned int i = 0; i < max_blocks; ++i)
-            rows[k][i] = element.weights[i] * element.by_separation[k];
+        for (unsigned int i = 0; i < element.n_blocks; ++i)
+          {
+            Tensor<1, 3> row = element.weights[i] * element.by_separation[k];
+            if (element.on_axes())
+              row += element.slopes[i] * element.by_tangent[i / 4][k];
+            for (unsigned int d = 0; d < 3; ++d)
+              rows[k][3 * i + d] = row[d];
+          }
     }
 
 
@@ -229,7 +230,8 @@ namespace Heddle
       std::array<double, 2> sums = {};
       for (unsigned int k = 0; k < 2; ++k)
         for (unsigned int i = 0; i < n_blocks; ++i)
-          sums[k] += derivative.rows[k][i] * values[blocks[i]];
+          for (unsigned int d = 0; d < 3; ++d)
+            sums[k] += derivative.rows[k][3 * i + d] * values[blocks[i]][d];
       return sums;
     }
 

@@ -10,6 +10,7 @@ namespace Heddle
     BlockPreconditioner::BlockPreconditioner(const System::State &state)
       : n_fiber_dofs(3 * state.n_owned_fiber_blocks())
       , fibers(state)
+      , yarns(state)
     {
       if (state.matrix())
         matrix = std::make_unique<MatrixBlock>(state);
@@ -18,10 +19,13 @@ namespace Heddle
 
 
     void
-    BlockPreconditioner::set_up(Mat tangent)
+    BlockPreconditioner::set_up(Mat tangent, const bool yarn_motions)
     {
       const LocalBlocks blocks(tangent);
       fibers.set_up(blocks);
+      corrected = yarn_motions;
+      if (corrected)
+        yarns.set_up(tangent, blocks);
       if (matrix)
         matrix->set_up(blocks);
     }
@@ -56,6 +60,8 @@ namespace Heddle
       self->fibers.apply(output);
       if (self->matrix)
         code = self->matrix->apply(input + n, output + n);
+      if (self->corrected)
+        code = code != 0 ? code : self->yarns.add_correction(input, output);
       code = code != 0 ? code : VecRestoreArray(result, &output);
       return code != 0 ? code : VecRestoreArrayRead(residual, &input);
     }

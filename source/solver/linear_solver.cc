@@ -40,9 +40,9 @@ namespace Heddle
                     kind,
                     "'direct': sparse factorization by MUMPS. 'fiber blocks': "
                     "conjugate gradients preconditioned by one banded "
-                    "factorization per fiber and, in a matrix, a sweep of "
-                    "Gauss and Seidel over its nodes. 'automatic': direct for "
-                    "few unknowns [-].",
+                    "factorization per fiber, a correction of how whole yarns "
+                    "move and, in a matrix, a sweep of Gauss and Seidel over "
+                    "its nodes. 'automatic': direct for few unknowns [-].",
                     prm,
                     Patterns::Selection("automatic|direct|fiber blocks"));
       add_parameter("Tolerance",
@@ -102,10 +102,10 @@ namespace Heddle
 
 
     LinearResult
-    LinearSolver::solve(const bool exactly)
+    LinearSolver::solve(const bool exactly, const bool yarn_motions)
     {
       LinearResult result;
-      if (iterating && (iterate(result) || !exactly))
+      if (iterating && (iterate(yarn_motions, result) || !exactly))
         return result;
       factorize(result);
       return result;
@@ -114,9 +114,9 @@ namespace Heddle
 
 
     bool
-    LinearSolver::iterate(LinearResult &result)
+    LinearSolver::iterate(const bool yarn_motions, LinearResult &result)
     {
-      preconditioner->set_up(system.tangent());
+      preconditioner->set_up(system.tangent(), yarn_motions);
       petsc(KSPSetOperators(iterating, system.tangent(), system.tangent()));
       petsc(KSPSolve(iterating, system.right_hand_side(), system.solution()));
       KSPConvergedReason reason;

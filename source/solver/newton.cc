@@ -249,8 +249,13 @@ namespace Heddle
             block_system->end();
 
             // Damping mends what is not positive definite, where there is any.
-            const LinearResult linear = linear_solver->solve(!rough);
-            singular                  = linear.singular;
+            // Yarns on their way overshoot if all of their motion is found: the
+            // iteration then takes longer. What is not found damps them.
+            const bool on_the_way =
+              rough && (softness > 0. || aim == Aim::calm);
+            const LinearResult linear =
+              linear_solver->solve(!rough, !on_the_way);
+            singular = linear.singular;
             result.linear_iterations += linear.iterations;
             result.factorizations += linear.factorizations;
             block_system->extract_increment(increment);

@@ -84,7 +84,8 @@ namespace Heddle
       {
         explicit Derivative(const FrictionElement &element);
 
-        std::array<std::array<Tensor<1, 3>, max_blocks>, 2> rows;
+        /** Three numbers for each block, one after the other. */
+        std::array<std::array<double, 3 * max_blocks>, 2> rows;
       };
 
       /** Change of the displacement with the motion @p values of blocks. */

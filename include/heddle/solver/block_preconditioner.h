@@ -3,6 +3,7 @@
 
 #include <heddle/solver/fiber_blocks.h>
 #include <heddle/solver/matrix_block.h>
+#include <heddle/solver/yarn_motions.h>
 
 #include <memory>
 
@@ -14,17 +15,21 @@ namespace Heddle
 
     /**
      * Preconditioner of conjugate gradients: FiberBlocks for the fibers and
-     * MatrixBlock for the matrix, if there is one. What couples them is left
-     * out, as is what couples ranks.
+     * MatrixBlock for the matrix, if there is one, plus the coarse correction
+     * of YarnMotions. The blocks leave out what couples them, and what couples
+     * ranks.
      */
     class BlockPreconditioner
     {
     public:
       BlockPreconditioner(const System::State &state);
 
-      /** Take the blocks from @p tangent and prepare them. */
+      /**
+       * Take the blocks from @p tangent and prepare them, with or without the
+       * correction of @p yarn_motions.
+       */
       void
-      set_up(Mat tangent);
+      set_up(Mat tangent, const bool yarn_motions);
 
       /** Let @p pc apply this object. */
       void
@@ -36,6 +41,8 @@ namespace Heddle
 
       const unsigned int           n_fiber_dofs; /**< of this rank */
       FiberBlocks                  fibers;
+      YarnMotions                  yarns;
+      bool                         corrected = false;
       std::unique_ptr<MatrixBlock> matrix;
     };
   } // namespace Solver

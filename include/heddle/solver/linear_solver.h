@@ -33,7 +33,7 @@ namespace Heddle
       std::string  kind           = "automatic";
       double       tolerance      = 0.03;
       unsigned int max_iterations = 400;
-      unsigned int direct_below   = 15000;
+      unsigned int direct_below   = 5000;
     };
 
     /** How the linear system of a Newton iteration was solved. */
@@ -66,15 +66,18 @@ namespace Heddle
        * Where conjugate gradients do not converge, since the tangent is not
        * positive definite or in too many iterations, they hand over what they
        * have, or, if it is to be solved @p exactly, it is factorized.
+       *
+       * Without @p yarn_motions conjugate gradients are not helped to find how
+       * whole yarns move: they then move less than they should, as if damped.
        * @note Collective.
        */
       LinearResult
-      solve(const bool exactly);
+      solve(const bool exactly, const bool yarn_motions = true);
 
     private:
       /** Return whether it converged. */
       bool
-      iterate(LinearResult &result);
+      iterate(const bool yarn_motions, LinearResult &result);
 
       void
       factorize(LinearResult &result);
