@@ -133,6 +133,7 @@ namespace Heddle
           row_begin.push_back(columns.size());
         }
 
+      own.release();
       petsc(MatDestroy(&matrix));
       petsc(MatCreate(state.space.communicator(), &matrix));
       petsc(MatSetSizes(
@@ -181,9 +182,11 @@ namespace Heddle
         {
           lifting.assign(state.n_owned_blocks(), Tensor<1, 3>());
           // PETSc zeroes assembled matrices only: finish what was not.
+          own.release();
           petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
           petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
           petsc(MatZeroEntries(matrix));
+          own.open(matrix);
         }
     }
 
@@ -214,15 +217,60 @@ namespace Heddle
           tangent = work.data();
         }
 
-      // Rows of other ranks are theirs to add: PETSc skips negative rows.
-      std::array<PetscInt, max_blocks> rows, columns;
-      for (unsigned int i = 0; i < n; ++i)
+      insert(n, blocks, tangent);
+    }
+
+
+
+    void
+    BlockSystem::insert(const unsigned int  n,
+                        const unsigned int *blocks,
+                        const double       *tangent)
+    {
+      // In ascending order own blocks come first.
+      const unsigned int                   n_owned = state.n_owned_blocks();
+      std::array<unsigned int, max_blocks> places, sorted;
+      std::iota(places.begin(), places.begin() + n, 0);
+      std::sort(places.begin(),
+                places.begin() + n,
+                [blocks](const unsigned int i, const unsigned int j) {
+                  return blocks[i] < blocks[j];
+                });
+      unsigned int n_own = 0;
+      for (unsigned int k = 0; k < n; ++k)
         {
-          columns[i] = global_blocks[blocks[i]];
-          rows[i]    = blocks[i] < n_owned ? columns[i] : -1;
+          sorted[k] = blocks[places[k]];
+          n_own += sorted[k] < n_owned ? 1 : 0;
         }
-      petsc(MatSetValuesBlocked(
-        matrix, n, rows.data(), n, columns.data(), tangent, ADD_VALUES));
+
+      // Rows of other ranks are theirs to add.
+      std::array<double, 9 * max_blocks> row_values;
+      std::array<PetscInt, max_blocks>   columns;
+      for (unsigned int r = 0; r < n_own; ++r)
+        {
+          const double *rows = tangent + 9 * n * places[r];
+          own.add_to_row(
+            sorted[r], n_own, sorted.data(), places.data(), rows, 3 * n);
+          const unsigned int n_foreign = n - n_own;
+          if (n_foreign == 0)
+            continue;
+          for (unsigned int k = 0; k < n_foreign; ++k)
+            {
+              columns[k] = global_blocks[sorted[n_own + k]];
+              for (unsigned int i = 0; i < 3; ++i)
+                for (unsigned int j = 0; j < 3; ++j)
+                  row_values[3 * (n_foreign * i + k) + j] =
+                    rows[3 * n * i + 3 * places[n_own + k] + j];
+            }
+          const PetscInt row = global_blocks[sorted[r]];
+          petsc(MatSetValuesBlocked(matrix,
+                                    1,
+                                    &row,
+                                    n_foreign,
+                                    columns.data(),
+                                    row_values.data(),
+                                    ADD_VALUES));
+        }
     }
 
 
@@ -372,6 +420,7 @@ namespace Heddle
               matrix, 1, &row, 1, &row, diagonal, ADD_VALUES));
           }
       petsc(VecRestoreArray(rhs, &values));
+      own.release();
       petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
       petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
     }

@@ -1,6 +1,7 @@
 #ifndef heddle_system_block_system_h
 #define heddle_system_block_system_h
 
+#include <heddle/system/diagonal_part.h>
 #include <heddle/system/state.h>
 
 #include <deal.II/base/tensor.h>
@@ -197,6 +198,12 @@ namespace Heddle
       const State &state;
 
     private:
+      /** Add a term to the tangent. */
+      void
+      insert(const unsigned int  n,
+             const unsigned int *blocks,
+             const double       *tangent);
+
       void
       constrain(const unsigned int  n,
                 const unsigned int *blocks,
@@ -212,6 +219,8 @@ namespace Heddle
       std::vector<PetscInt>     global_blocks;
       std::vector<double>       work;
       std::vector<PetscInt>     row_columns;
+
+      DiagonalPart own; /**< open from begin() to end() */
 
       Mat matrix    = nullptr;
       Vec rhs       = nullptr;
