@@ -374,7 +374,8 @@ namespace Heddle
     Scene::will_be_factorized(const double n_matrix_nodes) const
     {
       return parameters.linear_solver.direct(fiber_space->n_dofs() +
-                                             std::lround(3. * n_matrix_nodes));
+                                               std::lround(3. * n_matrix_nodes),
+                                             fiber_contact != nullptr);
     }
 
 

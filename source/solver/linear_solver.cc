@@ -12,9 +12,10 @@ namespace Heddle
     {
       bool
       choose_direct(const LinearSolverParameters &parameters,
-                    const System::BlockSystem    &system)
+                    const System::BlockSystem    &system,
+                    const bool                    contact)
       {
-        return parameters.direct(system.state.n_dofs()) ||
+        return parameters.direct(system.state.n_dofs(), contact) ||
                (parameters.kind == "automatic" && !system.is_symmetric());
       }
 
@@ -62,7 +63,14 @@ namespace Heddle
       add_parameter("Direct below",
                     direct_below,
                     "Number of unknowns, of fibers and matrix, below which "
-                    "'automatic' chooses 'direct' [-].",
+                    "'automatic' chooses 'direct' as long as no fibers come "
+                    "near each other [-].",
+                    prm,
+                    Patterns::Integer(0));
+      add_parameter("Direct below with contact",
+                    direct_below_with_contact,
+                    "The same where they do. Iterations of Newton's method are "
+                    "many then, and need not be solved exactly [-].",
                     prm,
                     Patterns::Integer(0));
     }
@@ -74,8 +82,13 @@ namespace Heddle
       : parameters(parameters)
       , system(system)
     {
-      if (choose_direct(parameters, system))
-        return;
+    }
+
+
+
+    void
+    LinearSolver::begin_iterating()
+    {
       petsc(KSPCreate(system.state.space.communicator(), &iterating));
       PC pc;
       petsc(KSPGetPC(iterating, &pc));
@@ -105,7 +118,8 @@ namespace Heddle
     LinearSolver::solve(const bool exactly, const bool yarn_motions)
     {
       LinearResult result;
-      if (iterating && (iterate(yarn_motions, result) || !exactly))
+      if (!choose_direct(parameters, system, /*contact=*/!exactly) &&
+          (iterate(yarn_motions, result) || !exactly))
         return result;
       factorize(result);
       return result;
@@ -116,6 +130,8 @@ namespace Heddle
     bool
     LinearSolver::iterate(const bool yarn_motions, LinearResult &result)
     {
+      if (!iterating)
+        begin_iterating();
       preconditioner->set_up(system.tangent(), yarn_motions);
       petsc(KSPSetOperators(iterating, system.tangent(), system.tangent()));
       petsc(KSPSolve(iterating, system.right_hand_side(), system.solution()));

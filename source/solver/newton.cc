@@ -376,9 +376,19 @@ namespace Heddle
     Newton::residual_ratio(System::State       &state,
                            const Contributions &contributions)
     {
+      // No system is solved here: its pattern and tangent can wait.
       begin(state);
-      prepare(state, contributions);
-      assemble(state, contributions);
+      {
+        SectionTimer::Scope scope(timer, "detection");
+        update(state, contributions);
+        block_system->set_constraints(constraints);
+      }
+      {
+        SectionTimer::Scope scope(timer, "assembly");
+        block_system->begin(System::BlockSystem::Want::residual);
+        for (const auto &contribution : contributions)
+          contribution->assemble(state, *block_system);
+      }
       return judge(contributions).ratio;
     }
 
@@ -461,12 +471,20 @@ namespace Heddle
 
 
     void
-    Newton::prepare(System::State &state, const Contributions &contributions)
+    Newton::update(System::State &state, const Contributions &contributions)
     {
-      SectionTimer::Scope scope(timer, "detection");
       for (const auto &contribution : contributions)
         contribution->update(state);
       collect_constraints(state, contributions);
+    }
+
+
+
+    void
+    Newton::prepare(System::State &state, const Contributions &contributions)
+    {
+      SectionTimer::Scope scope(timer, "detection");
+      update(state, contributions);
 
       bool stale =
         !block_system->tangent() || ghost_version != state.ghost_version();

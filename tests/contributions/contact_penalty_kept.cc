@@ -1,7 +1,9 @@
 // A penalty once adapted is kept when fibers are searched anew: where they
 // turn through a right angle and their orientation changes, where cells change
 // their size with the angle, and where the contact slides along the fibers. One
-// that a step raised in vain is taken back.
+// that a step raised in vain is taken back. Fibers that keep their orientation
+// a degree beyond a right angle have that for the force of the other one:
+// sqrt((1 + c) / (1 - c)) = 1.01761 times as much with the cosine c.
 #include "../contact/contact_scene.h"
 #include "../tests.h"
 
@@ -80,6 +82,8 @@ int
 main(int argc, char **argv)
 {
   MPITest test(argc, argv);
+  examine("from 80 to 100 degrees", 80., 100., 0.);
+  examine("from 100 to 80 degrees", 100., 80., 0.);
   examine("from 89 to 91 degrees", 89., 91., 0.);
   examine("from 91 to 89 degrees", 91., 89., 0.);
   examine("from 40 to 20 degrees", 40., 20., 0.);

@@ -22,18 +22,24 @@ namespace Heddle
     public:
       LinearSolverParameters(const std::string &section = "/Linear solver");
 
-      /** Whether a symmetric system of so many unknowns is factorized. */
+      /**
+       * Whether a symmetric system of so many unknowns is factorized, where
+       * fibers are in @p contact or not.
+       */
       bool
-      direct(const unsigned int n_dofs) const
+      direct(const unsigned int n_dofs, const bool contact) const
       {
         return kind == "direct" ||
-               (kind == "automatic" && n_dofs < direct_below);
+               (kind == "automatic" &&
+                n_dofs < (contact ? direct_below_with_contact : direct_below));
       }
 
       std::string  kind           = "automatic";
       double       tolerance      = 0.03;
       unsigned int max_iterations = 400;
-      unsigned int direct_below   = 5000;
+      unsigned int direct_below   = 15000;
+
+      unsigned int direct_below_with_contact = 2500;
     };
 
     /** How the linear system of a Newton iteration was solved. */
@@ -65,7 +71,8 @@ namespace Heddle
        * Solve system.tangent() * system.solution() = system.right_hand_side().
        * Where conjugate gradients do not converge, since the tangent is not
        * positive definite or in too many iterations, they hand over what they
-       * have, or, if it is to be solved @p exactly, it is factorized.
+       * have, or, if it is to be solved @p exactly, it is factorized. That is
+       * where no fibers come near each other.
        *
        * Without @p yarn_motions conjugate gradients are not helped to find how
        * whole yarns move: they then move less than they should, as if damped.
@@ -75,6 +82,9 @@ namespace Heddle
       solve(const bool exactly, const bool yarn_motions = true);
 
     private:
+      void
+      begin_iterating();
+
       /** Return whether it converged. */
       bool
       iterate(const bool yarn_motions, LinearResult &result);

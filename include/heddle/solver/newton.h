@@ -116,6 +116,11 @@ namespace Heddle
       collect_constraints(const System::State &state,
                           const Contributions &contributions);
 
+      /** Bring all terms and the constraints up to date. */
+      void
+      update(System::State &state, const Contributions &contributions);
+
+      /** The same, and the pattern of the tangent. */
       void
       prepare(System::State &state, const Contributions &contributions);
 
