@@ -125,7 +125,10 @@ namespace Heddle
       prepare(System::State &state, const Contributions &contributions);
 
       void
-      assemble(System::State &state, const Contributions &contributions);
+      assemble(System::State                  &state,
+               const Contributions            &contributions,
+               const System::BlockSystem::Want want =
+                 System::BlockSystem::Want::residual_and_tangent);
 
       /** How soft rough terms are, from 1 to 0. */
       void

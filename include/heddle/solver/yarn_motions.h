@@ -72,13 +72,13 @@ namespace Heddle
       share(const unsigned int fiber, const unsigned int block) const;
 
       /**
-       * Add the 3x3 block @p values of the tangent between two blocks to what
+       * Add the 3x3 block @p block of the tangent between two blocks to what
        * it couples, and its transpose if it stands @p twice.
        */
       void
       project(const Share  &row,
               const Share  &column,
-              const double *values,
+              const double *block,
               const bool    twice,
               CoarseBlocks &coarse) const;
 

@@ -23,12 +23,6 @@ namespace Heddle
       void
       release();
 
-      bool
-      is_open() const
-      {
-        return part != nullptr;
-      }
-
       /**
        * Add to the owned @p row the blocks of its columns @p columns, @p n
        * owned ones in ascending order. Block k is the one at column
