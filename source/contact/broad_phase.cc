@@ -19,35 +19,127 @@ namespace Heddle
         {
           unsigned int curve;
           unsigned int interval;
+          unsigned int chord;
+        };
+
+        /** The control points of one cubic. */
+        struct ControlPoints
+        {
+          ControlPoints(const Curve &curve, const unsigned int i)
+          {
+            const double third =
+              (curve.arc_lengths[i + 1] - curve.arc_lengths[i]) / 3.;
+            point[0] = curve.positions[i];
+            point[1] = curve.positions[i] + third * curve.tangents[i];
+            point[2] = curve.positions[i + 1] - third * curve.tangents[i + 1];
+            point[3] = curve.positions[i + 1];
+          }
+
+          Tensor<1, 3> point[4];
+        };
+
+        /** The cubic lies no further than its bulge from its chord. */
+        struct Chord
+        {
+          double begin[3], along[3], bulge; /**< [mm] */
         };
 
         using Entry = std::pair<BoundingBox<3>, Interval>;
 
-        /** The box of the control points of one cubic, grown by @p margin. */
+        /** The box of the control points, grown by @p margin. */
         BoundingBox<3>
-        box(const Curve &curve, const unsigned int i, const double margin)
+        box(const ControlPoints &control, const double margin)
         {
-          const double h = curve.arc_lengths[i + 1] - curve.arc_lengths[i];
-          const Tensor<1, 3> control[4] = {
-            curve.positions[i],
-            curve.positions[i] + h / 3. * curve.tangents[i],
-            curve.positions[i + 1] - h / 3. * curve.tangents[i + 1],
-            curve.positions[i + 1]};
           Point<3> low, high;
           for (unsigned int d = 0; d < 3; ++d)
             {
-              low[d] = std::min({control[0][d],
-                                 control[1][d],
-                                 control[2][d],
-                                 control[3][d]}) -
+              low[d] = std::min({control.point[0][d],
+                                 control.point[1][d],
+                                 control.point[2][d],
+                                 control.point[3][d]}) -
                        margin;
-              high[d] = std::max({control[0][d],
-                                  control[1][d],
-                                  control[2][d],
-                                  control[3][d]}) +
+              high[d] = std::max({control.point[0][d],
+                                  control.point[1][d],
+                                  control.point[2][d],
+                                  control.point[3][d]}) +
                         margin;
             }
           return BoundingBox<3>({low, high});
+        }
+
+
+
+        Chord
+        chord(const ControlPoints &control)
+        {
+          const Tensor<1, 3> along = control.point[3] - control.point[0];
+          Chord              result;
+          result.bulge = 0.;
+          for (const unsigned int k : {1, 2})
+            {
+              const Tensor<1, 3> offset = control.point[k] - control.point[0];
+              const double       t =
+                std::clamp((offset * along) / along.norm_square(), 0., 1.);
+              result.bulge =
+                std::max(result.bulge, (offset - t * along).norm());
+            }
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              result.begin[d] = control.point[0][d];
+              result.along[d] = along[d];
+            }
+          return result;
+        }
+
+
+
+        /**
+         * Squared distance of two chords: where it is least for that of b, held
+         * to b, then where it is least on a (C. Ericson, Real-Time Collision
+         * Detection, 2005, section 5.1.9).
+         */
+        double
+        squared_distance(const Chord &a, const Chord &b)
+        {
+          double aa = 0., ab = 0., bb = 0., ac = 0., bc = 0.;
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              const double c = a.begin[d] - b.begin[d];
+              aa += a.along[d] * a.along[d];
+              ab += a.along[d] * b.along[d];
+              bb += b.along[d] * b.along[d];
+              ac += a.along[d] * c;
+              bc += b.along[d] * c;
+            }
+          const auto bounded = [](const double value) {
+            return std::min(std::max(value, 0.), 1.);
+          };
+
+          // Of parallel chords any place on a is as good.
+          const double determinant = aa * bb - ab * ab;
+          const double first       = determinant > 1e-12 * aa * bb
+                                       ? bounded((ab * bc - ac * bb) / determinant)
+                                       : 0.;
+          const double t           = bounded((ab * first + bc) / bb);
+          const double s           = bounded((ab * t - ac) / aa);
+          double       square      = 0.;
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              const double apart =
+                a.begin[d] + s * a.along[d] - b.begin[d] - t * b.along[d];
+              square += apart * apart;
+            }
+          return square;
+        }
+
+
+
+        /** Whether two cubics may come as close as @p distance. */
+        bool
+        are_close(const Chord &a, const Chord &b, const double distance)
+        {
+          const double reach = distance + a.bulge + b.bulge;
+          return squared_distance(a, b) <= reach * reach;
         }
 
 
@@ -87,13 +179,16 @@ namespace Heddle
       namespace bgi = boost::geometry::index;
 
       std::vector<Entry> entries;
+      std::vector<Chord> chords;
       for (unsigned int c = 0; c < curves.size(); ++c)
         for (unsigned int i = 0; i + 1 < curves[c].curve.n_knots; ++i)
-          entries.emplace_back(
-            box(curves[c].curve,
-                i,
-                curves[c].curve.radius + 0.5 * search_distance),
-            Interval{c, i});
+          {
+            const ControlPoints control(curves[c].curve, i);
+            entries.emplace_back(
+              box(control, curves[c].curve.radius + 0.5 * search_distance),
+              Interval{c, i, static_cast<unsigned int>(chords.size())});
+            chords.push_back(chord(control));
+          }
       const boost::geometry::index::rtree<Entry, bgi::linear<16>> tree(entries);
 
       std::vector<CandidatePair> candidates;
@@ -109,7 +204,10 @@ namespace Heddle
             {
               const NumberedCurve &b = curves[hit->second.curve];
               const unsigned int   j = hit->second.interval;
-              if (may_touch(a, i, b, j))
+              if (may_touch(a, i, b, j) &&
+                  are_close(chords[entry.second.chord],
+                            chords[hit->second.chord],
+                            a.curve.radius + b.curve.radius + search_distance))
                 candidates.push_back(a.fiber <= b.fiber
                                        ? CandidatePair{a.fiber, b.fiber, i, j}
                                        : CandidatePair{b.fiber, a.fiber, j, i});

@@ -120,12 +120,31 @@ namespace Heddle
              const double                p,
              const double                q)
     {
-      CellEnd               end{p, q, 0., 0., FacingEnd::none};
-      const FacingParticles particles = geometry.facing(p, end.q);
-      end.squared_distance            = particles.squared_distance;
-      end.slope                       = particles.slope;
-      end.end                         = particles.end;
-      return end;
+      double                found     = q;
+      const FacingParticles particles = geometry.facing(p, found);
+      return {
+        p, found, particles.squared_distance, particles.slope, particles.end};
+    }
+
+
+
+    std::array<CellEnd, n_ends_at_once>
+    cell_ends(const std::array<const IntermediateGeometry *, n_ends_at_once>
+                                                       &geometries,
+              const std::array<double, n_ends_at_once> &p,
+              std::array<double, n_ends_at_once>        q)
+    {
+      std::array<FacingParticles, n_ends_at_once> particles;
+      std::array<CellEnd, n_ends_at_once>         ends;
+      find_facing<n_ends_at_once>(
+        geometries.data(), p.data(), q.data(), particles.data());
+      for (unsigned int i = 0; i < n_ends_at_once; ++i)
+        ends[i] = {p[i],
+                   q[i],
+                   particles[i].squared_distance,
+                   particles[i].slope,
+                   particles[i].end};
+      return ends;
     }
 
 
@@ -193,12 +212,13 @@ namespace Heddle
                      const double   low,
                      const double   high);
 
-        /** The element at @p p, between two ends. */
-        ContactElement
-        element_at(const CellEnd &begin,
-                   const CellEnd &end,
-                   const double   p,
-                   const double   weight) const;
+        /** Set the elements at n places @p p, between two ends. */
+        template <unsigned int n>
+        void
+        find_elements(const CellEnd  &begin,
+                      const CellEnd  &end,
+                      const double   *p,
+                      ContactElement *found) const;
 
         const IntermediateGeometry  &geometry;
         const bool                   aligned;
@@ -209,23 +229,32 @@ namespace Heddle
 
 
 
-      ContactElement
-      CellFiller::element_at(const CellEnd &begin,
-                             const CellEnd &end,
-                             const double   p,
-                             const double   weight) const
+      template <unsigned int n>
+      void
+      CellFiller::find_elements(const CellEnd  &begin,
+                                const CellEnd  &end,
+                                const double   *p,
+                                ContactElement *found) const
       {
-        const double          t         = (p - begin.p) / (end.p - begin.p);
-        double                q         = begin.q + t * (end.q - begin.q);
-        const FacingParticles particles = geometry.facing(p, q);
-        const double          distance  = std::sqrt(particles.squared_distance);
-        ContactElement        element   = {};
-        element.s_a                     = particles.s_a;
-        element.s_b                     = particles.s_b;
-        element.weight                  = weight;
-        element.gap                     = distance - distance_at_contact;
-        element.normal                  = particles.connection / distance;
-        return element;
+        const IntermediateGeometry *between[n];
+        double                      q[n];
+        FacingParticles             particles[n];
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double t = (p[i] - begin.p) / (end.p - begin.p);
+            between[i]     = &geometry;
+            q[i]           = begin.q + t * (end.q - begin.q);
+          }
+        find_facing<n>(between, p, q, particles);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double distance = std::sqrt(particles[i].squared_distance);
+            found[i]              = {};
+            found[i].s_a          = particles[i].s_a;
+            found[i].s_b          = particles[i].s_b;
+            found[i].gap          = distance - distance_at_contact;
+            found[i].normal       = particles[i].connection / distance;
+          }
       }
 
 
@@ -344,9 +373,12 @@ namespace Heddle
           fill_stretch(begin, end, from, end.p);
         for (unsigned int k = 0; k + 1 < n_pieces; ++k)
           if (f(stationary[k]) < 0.)
-            deepest = std::max(
-              deepest,
-              -element_at(begin, end, begin.p + stationary[k] * size, 0.).gap);
+            {
+              const double   p = begin.p + stationary[k] * size;
+              ContactElement there;
+              find_elements<1>(begin, end, &p, &there);
+              deepest = std::max(deepest, -there.gap);
+            }
       }
 
 
@@ -357,18 +389,21 @@ namespace Heddle
                                const double   low,
                                const double   high)
       {
-        const double half = 0.5 * (high - low);
-        for (const auto &point : internal::ContactCell::gauss_points)
+        using internal::ContactCell::gauss_points;
+        constexpr unsigned int n_points = gauss_points.size();
+        const double           half     = 0.5 * (high - low);
+        double                 p[n_points];
+        ContactElement         found[n_points];
+        for (unsigned int i = 0; i < n_points; ++i)
+          p[i] = low + half * (1. + gauss_points[i].first);
+        find_elements<n_points>(begin, end, p, found);
+        for (unsigned int i = 0; i < n_points; ++i)
           {
             // p measures twice the length of the intermediate curve.
-            const ContactElement element =
-              element_at(begin,
-                         end,
-                         low + half * (1. + point.first),
-                         0.5 * point.second * half);
-            deepest = std::max(deepest, -element.gap);
-            if (element.gap < reach - distance_at_contact)
-              elements.push_back(element);
+            found[i].weight = 0.5 * gauss_points[i].second * half;
+            deepest         = std::max(deepest, -found[i].gap);
+            if (found[i].gap < reach - distance_at_contact)
+              elements.push_back(found[i]);
           }
       }
     } // namespace

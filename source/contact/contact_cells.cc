@@ -487,6 +487,42 @@ namespace Heddle
 
 
 
+    std::vector<CellEnd>
+    ContactCells::ends_of(const CurveList                 &curves,
+                          const std::vector<unsigned int> &numbers) const
+    {
+      std::vector<CellEnd> ends(numbers.size());
+      for (std::size_t first = 0; first < numbers.size();
+           first += n_ends_at_once)
+        {
+          // The last ones are filled up with themselves.
+          const auto cell = [&](const unsigned int i) -> const ContactCell & {
+            return all_cells[numbers[std::min(first + i, numbers.size() - 1)]];
+          };
+          const std::array<IntermediateGeometry, n_ends_at_once> between = {
+            {geometry(curves, cell(0)),
+             geometry(curves, cell(1)),
+             geometry(curves, cell(2)),
+             geometry(curves, cell(3))}};
+          std::array<const IntermediateGeometry *, n_ends_at_once> geometries;
+          std::array<double, n_ends_at_once>                       p, q;
+          for (unsigned int i = 0; i < n_ends_at_once; ++i)
+            {
+              geometries[i] = &between[i];
+              p[i]          = range(cell(i), between[i]).second;
+              q[i]          = cell(i).q_end;
+            }
+          const auto found = cell_ends(geometries, p, q);
+          std::copy_n(
+            found.begin(),
+            std::min<std::size_t>(n_ends_at_once, numbers.size() - first),
+            ends.begin() + first);
+        }
+      return ends;
+    }
+
+
+
     void
     ContactCells::place_elements(const CurveList             &curves,
                                  const std::vector<double>   &moved,
@@ -497,35 +533,38 @@ namespace Heddle
       for (Zone &zone : all_zones)
         zone.penetration = 0.;
 
-      CellEnd      end  = {};
-      unsigned int last = numbers::invalid_unsigned_int; // cell of that end
+      std::vector<unsigned int> near;
       for (unsigned int c = 0; c < all_cells.size(); ++c)
         {
           const ContactCell &cell = all_cells[c];
+          if (cell.clearance <= skin * all_zones[cell.zone].radius +
+                                  moved[cell.fiber_a] + moved[cell.fiber_b])
+            near.push_back(c);
+        }
+      const std::vector<CellEnd> ends = ends_of(curves, near);
+      for (unsigned int k = 0; k < near.size(); ++k)
+        {
+          const unsigned int c    = near[k];
+          const ContactCell &cell = all_cells[c];
           Zone              &zone = all_zones[cell.zone];
-          if (cell.clearance >
-              skin * zone.radius + moved[cell.fiber_a] + moved[cell.fiber_b])
-            continue;
 
           // Neighbouring cells share their ends, unless strongly bent fibers
           // face each other in several places.
-          const IntermediateGeometry between   = geometry(curves, cell);
-          const auto                 p         = range(cell, between);
-          const bool                 continues = c > 0 && last == c - 1 &&
+          const IntermediateGeometry between = geometry(curves, cell);
+          const auto                 p       = range(cell, between);
+          const bool continues               = k > 0 && near[k - 1] == c - 1 &&
                                  all_cells[c - 1].zone == cell.zone &&
                                  all_cells[c - 1].number + 1 == cell.number &&
-                                 std::abs(end.q - cell.q_begin) <
+                                 std::abs(ends[k - 1].q - cell.q_begin) <
                                    between.a.radius + between.b.radius;
           const CellEnd begin =
-            continues ? end : cell_end(between, p.first, cell.q_begin);
-          end  = cell_end(between, p.second, cell.q_end);
-          last = c;
+            continues ? ends[k - 1] : cell_end(between, p.first, cell.q_begin);
 
           const auto   first = elements.size();
           const double penetration =
             place_in_cell(between,
                           begin,
-                          end,
+                          ends[k],
                           between.a.radius + between.b.radius - cell.forgiven,
                           skin * zone.radius,
                           /*aligned=*/cell.level == 0,

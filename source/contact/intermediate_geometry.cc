@@ -7,20 +7,6 @@ namespace Heddle
 {
   namespace Contact
   {
-    namespace
-    {
-      /**
-       * So short a step of Newton's method, in radii, is the last one: what it
-       * leaves is of second order ...
-       */
-      constexpr double last_step = 1e-6;
-
-      /** ... but not where the stiffness is none of the distance. */
-      constexpr double last_step_downhill = 1e-9;
-    } // namespace
-
-
-
     std::pair<double, double>
     IntermediateGeometry::range() const
     {
@@ -50,85 +36,10 @@ namespace Heddle
     FacingParticles
     IntermediateGeometry::facing(const double p, double &q) const
     {
-      const auto      bounds = range_of_q(p);
-      const double    sigma  = orientation;
-      const double    scale  = a.radius + b.radius;
-      FacingParticles result;
-
-      q                 = std::min(std::max(q, bounds.first), bounds.second);
-      result.interval_a = a.interval(0.5 * (p + q));
-      result.interval_b = b.interval(0.5 * sigma * (p - q));
-
-      PaddedPoint point_a, point_b;
-      double      connection[4];
-      for (unsigned int iteration = 0; iteration < 30; ++iteration)
-        {
-          point_a = a.evaluate_padded(0.5 * (p + q), result.interval_a);
-          point_b = b.evaluate_padded(0.5 * sigma * (p - q), result.interval_b);
-
-          // Newton's method for the stationary distance; where the distance is
-          // not convex, downhill with the stiffness of straight fibers.
-          double sum[4], bent[4], force = 0., convex = 0., curved = 0.;
-          for (unsigned int k = 0; k < 4; ++k)
-            {
-              connection[k] = point_a.position[k] - point_b.position[k];
-              sum[k]        = point_a.tangent[k] + sigma * point_b.tangent[k];
-              bent[k]       = point_a.curvature[k] - point_b.curvature[k];
-              force += connection[k] * sum[k];
-              convex += 0.5 * sum[k] * sum[k];
-              curved += 0.5 * connection[k] * bent[k];
-            }
-          const double least     = 0.2 * convex + 1e-3;
-          const double stiffness = std::max(convex + curved, least);
-          double step = std::min(std::max(-force / stiffness, -scale), scale);
-          step = std::min(std::max(q + step, bounds.first), bounds.second) - q;
-          q += step;
-          if (std::abs(step) <
-              (stiffness > least ? last_step : last_step_downhill) * scale)
-            {
-              // What is left of third order is below round-off.
-              const double half = 0.5 * step;
-              for (unsigned int k = 0; k < 4; ++k)
-                {
-                  connection[k] += half * sum[k] + 0.5 * half * half * bent[k];
-                  point_a.tangent[k] += half * point_a.curvature[k];
-                  point_b.tangent[k] -= half * sigma * point_b.curvature[k];
-                }
-              break;
-            }
-        }
-      for (unsigned int d = 0; d < 3; ++d)
-        result.connection[d] = connection[d];
-
-      result.s_a              = 0.5 * (p + q);
-      result.s_b              = 0.5 * sigma * (p - q);
-      result.squared_distance = result.connection.norm_square();
-
-      // Along p both particles advance by half, but at the end of a fiber only
-      // the other one does.
-      const double tolerance = 1e-9 * scale;
-      result.end             = result.s_a < tolerance ? FacingEnd::first_of_a
-                               : result.s_a > a.length() - tolerance ? FacingEnd::last_of_a
-                               : result.s_b < tolerance ? FacingEnd::first_of_b
-                               : result.s_b > b.length() - tolerance ? FacingEnd::last_of_b
-                                                                     : FacingEnd::none;
-      double advance_a = 0.5, advance_b = 0.5 * sigma;
-      if (result.end == FacingEnd::first_of_a ||
-          result.end == FacingEnd::last_of_a)
-        advance_a = 0., advance_b = sigma;
-      else if (result.end != FacingEnd::none)
-        advance_a = 1., advance_b = 0.;
-      result.slope = 0.;
-      for (unsigned int k = 0; k < 3; ++k)
-        result.slope +=
-          2. * connection[k] *
-          (advance_a * point_a.tangent[k] - advance_b * point_b.tangent[k]);
-
-      // A fiber does not touch its own neighbourhood.
-      if (min_separation > 0. && orientation > 0 &&
-          q > bounds.second - tolerance)
-        result.squared_distance = 1e6 * scale * scale;
-      return result;
+      FacingParticles             particles;
+      const IntermediateGeometry *between = this;
+      find_facing<1>(&between, &p, &q, &particles);
+      return particles;
     }
 
 

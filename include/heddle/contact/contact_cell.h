@@ -4,6 +4,7 @@
 #include <heddle/contact/contact_element.h>
 #include <heddle/contact/intermediate_geometry.h>
 
+#include <array>
 #include <tuple>
 #include <vector>
 
@@ -76,6 +77,16 @@ namespace Heddle
     cell_end(const IntermediateGeometry &geometry,
              const double                p,
              const double                q);
+
+    /** So many ends take about as long as one. */
+    constexpr unsigned int n_ends_at_once = 4;
+
+    /** The same in several geometries. */
+    std::array<CellEnd, n_ends_at_once>
+    cell_ends(const std::array<const IntermediateGeometry *, n_ends_at_once>
+                                                       &geometries,
+              const std::array<double, n_ends_at_once> &p,
+              std::array<double, n_ends_at_once>        q);
 
     /**
      * The axes are no closer to each other between these ends, as far as the

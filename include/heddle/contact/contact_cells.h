@@ -188,6 +188,11 @@ namespace Heddle
       std::pair<double, double>
       range(const ContactCell &cell, const IntermediateGeometry &between) const;
 
+      /** Where the cells of these numbers end, as placed in anew. */
+      std::vector<CellEnd>
+      ends_of(const CurveList                 &curves,
+              const std::vector<unsigned int> &numbers) const;
+
       /** The cells that a pair of fibers had before a search, sorted. */
       struct OldCells
       {

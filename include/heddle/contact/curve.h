@@ -21,18 +21,12 @@ namespace Heddle
 
     /**
      * One interval of a curve, $x = c_0 + t (c_1 + t (c_2 + t c_3))$ with the
-     * arc length t from its first knot. A fourth component, which is zero, lets
-     * the compiler do all at once; plain arrays, lest Debug takes far longer.
+     * arc length t from its first knot. Plain arrays, lest Debug takes far
+     * longer.
      */
-    struct alignas(32) CurveCubic
+    struct CurveCubic
     {
-      double c0[4], c1[4], c2[4], c3[4];
-    };
-
-    /** A point of a curve, as CurvePoint, in the components of CurveCubic. */
-    struct alignas(32) PaddedPoint
-    {
-      double position[4], tangent[4], curvature[4];
+      double c0[3], c1[3], c2[3], c3[3];
     };
 
     /**
@@ -70,6 +64,10 @@ namespace Heddle
       unsigned int
       interval(const double s) const;
 
+      /** The same, sought from the interval @p from. */
+      unsigned int
+      interval(const double s, unsigned int from) const;
+
       /**
        * Return the point at arc length @p s. @p interval is where the search
        * for its knots starts, and is set to where it ended.
@@ -81,16 +79,6 @@ namespace Heddle
       Tensor<1, 3>
       at(const double s) const;
 
-      /** The same as evaluate(), for inner loops. */
-      PaddedPoint
-      evaluate_padded(const double s, unsigned int &interval) const;
-
-    private:
-      /** The interval of @p s, sought from the interval @p from. */
-      unsigned int
-      search(const double s, unsigned int from) const;
-
-    public:
       const unsigned int        n_knots;
       const double *const       arc_lengths; /**< [mm] */
       const Tensor<1, 3> *const positions;   /**< [mm] */
@@ -102,7 +90,7 @@ namespace Heddle
 
 
     inline unsigned int
-    Curve::search(const double s, unsigned int from) const
+    Curve::interval(const double s, unsigned int from) const
     {
       while (from > 0 && s < arc_lengths[from])
         --from;
@@ -118,27 +106,7 @@ namespace Heddle
     {
       // Nearly all fibers have equal intervals: this guess is then right.
       const double i = s / length() * (n_knots - 1);
-      return search(s, std::min<unsigned int>(n_knots - 2, std::max(0., i)));
-    }
-
-
-
-    inline PaddedPoint
-    Curve::evaluate_padded(const double s, unsigned int &interval) const
-    {
-      interval                = search(s, interval);
-      const CurveCubic &cubic = cubics[interval];
-      const double      t     = s - arc_lengths[interval];
-      PaddedPoint       point;
-      for (unsigned int k = 0; k < 4; ++k)
-        {
-          const double bent  = cubic.c2[k] + t * cubic.c3[k];
-          const double more  = bent + t * cubic.c3[k];
-          point.position[k]  = cubic.c0[k] + t * (cubic.c1[k] + t * bent);
-          point.tangent[k]   = cubic.c1[k] + t * (bent + more);
-          point.curvature[k] = 2. * (more + t * cubic.c3[k]);
-        }
-      return point;
+      return interval(s, std::min<unsigned int>(n_knots - 2, std::max(0., i)));
     }
 
 
@@ -146,13 +114,17 @@ namespace Heddle
     inline CurvePoint
     Curve::evaluate(const double s, unsigned int &interval) const
     {
-      const PaddedPoint padded = evaluate_padded(s, interval);
+      interval                = this->interval(s, interval);
+      const CurveCubic &cubic = cubics[interval];
+      const double      t     = s - arc_lengths[interval];
       CurvePoint        point;
       for (unsigned int d = 0; d < 3; ++d)
         {
-          point.position[d]  = padded.position[d];
-          point.tangent[d]   = padded.tangent[d];
-          point.curvature[d] = padded.curvature[d];
+          const double bent  = cubic.c2[d] + t * cubic.c3[d];
+          const double more  = bent + t * cubic.c3[d];
+          point.position[d]  = cubic.c0[d] + t * (cubic.c1[d] + t * bent);
+          point.tangent[d]   = cubic.c1[d] + t * (bent + more);
+          point.curvature[d] = 2. * (more + t * cubic.c3[d]);
         }
       return point;
     }
@@ -162,10 +134,8 @@ namespace Heddle
     inline Tensor<1, 3>
     Curve::at(const double s) const
     {
-      unsigned int      i     = interval(s);
-      const PaddedPoint point = evaluate_padded(s, i);
-      return Tensor<1, 3>(
-        {point.position[0], point.position[1], point.position[2]});
+      unsigned int i = interval(s);
+      return evaluate(s, i).position;
     }
 
 
@@ -187,7 +157,6 @@ namespace Heddle
           // c = 3 D - 2 m0 - m1 and d = m0 + m1 - 2 D after m0.
           const double per_h = 1. / (arc_lengths[i + 1] - arc_lengths[i]);
           CurveCubic  &cubic = cubics[i];
-          cubic              = {};
           for (unsigned int k = 0; k < 3; ++k)
             {
               const double m0 = tangents[i][k], m1 = tangents[i + 1][k];

@@ -2,6 +2,7 @@
 #define heddle_contact_intermediate_geometry_h
 
 #include <heddle/contact/curve.h>
+#include <heddle/contact/facing_particles.h>
 
 #include <utility>
 
@@ -10,27 +11,6 @@ namespace Heddle
   namespace Contact
   {
     using namespace dealii;
-
-    /** Which fiber's end, if any, is one of two facing particles. */
-    enum class FacingEnd
-    {
-      none,
-      first_of_a,
-      last_of_a,
-      first_of_b,
-      last_of_b
-    };
-
-    /** Two particles that face each other. */
-    struct FacingParticles
-    {
-      double       s_a, s_b; /**< arc lengths [mm] */
-      unsigned int interval_a, interval_b;
-      Tensor<1, 3> connection;       /**< from b to a [mm] */
-      double       squared_distance; /**< of the axes [mm^2] */
-      double       slope; /**< of the squared distance along p [mm] */
-      FacingEnd    end;
-    };
 
     /**
      * The intermediate geometry of two close fibers a and b, of orientation
@@ -84,14 +64,13 @@ namespace Heddle
       double
       kink(const FacingEnd end, const double p) const;
 
-      const Curve a, b;
-      const int   orientation;
-
-    private:
+      /** Range of q in which there are particles of both fibers at @p p. */
       std::pair<double, double>
       range_of_q(const double p) const;
 
-      const double min_separation;
+      const Curve  a, b;
+      const int    orientation;
+      const double min_separation; /**< as for the constructor [mm] */
     };
   } // namespace Contact
 } // namespace Heddle
