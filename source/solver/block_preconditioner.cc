@@ -21,7 +21,7 @@ namespace Heddle
     void
     BlockPreconditioner::set_up(Mat tangent, const bool yarn_motions)
     {
-      const LocalBlocks blocks(tangent);
+      const System::LocalBlocks blocks(tangent);
       fibers.set_up(blocks);
       corrected = yarn_motions;
       if (corrected)

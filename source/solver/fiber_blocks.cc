@@ -48,7 +48,7 @@ namespace Heddle
 
 
     void
-    FiberBlocks::set_up(const LocalBlocks &tangent)
+    FiberBlocks::set_up(const System::LocalBlocks &tangent)
     {
       extract(tangent);
       factors          = bands;
@@ -60,7 +60,7 @@ namespace Heddle
 
 
     void
-    FiberBlocks::extract(const LocalBlocks &tangent)
+    FiberBlocks::extract(const System::LocalBlocks &tangent)
     {
       const unsigned int height = bandwidth + 1;
       bands.assign(std::size_t(3) * state.n_owned_fiber_blocks() * height, 0.);

@@ -37,7 +37,7 @@ namespace Heddle
 
 
     void
-    MatrixBlock::set_up(const LocalBlocks &tangent)
+    MatrixBlock::set_up(const System::LocalBlocks &tangent)
     {
       // The pattern changes with that of contact: all is made anew, which
       // costs next to nothing.

@@ -109,7 +109,7 @@ namespace Heddle
 
 
     void
-    YarnMotions::set_up(Mat tangent, const LocalBlocks &own)
+    YarnMotions::set_up(Mat tangent, const System::LocalBlocks &own)
     {
       usable = n_all_stations > 0;
       if (!usable)

@@ -35,6 +35,7 @@ namespace Heddle
 
     BlockSystem::~BlockSystem()
     {
+      own.reset();
       MatDestroy(&matrix);
       VecDestroy(&rhs);
       VecDestroy(&increment);
@@ -133,7 +134,7 @@ namespace Heddle
           row_begin.push_back(columns.size());
         }
 
-      own.release();
+      own.reset();
       petsc(MatDestroy(&matrix));
       petsc(MatCreate(state.space.communicator(), &matrix));
       petsc(MatSetSizes(
@@ -182,11 +183,11 @@ namespace Heddle
         {
           lifting.assign(state.n_owned_blocks(), Tensor<1, 3>());
           // PETSc zeroes assembled matrices only: finish what was not.
-          own.release();
+          own.reset();
           petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
           petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
           petsc(MatZeroEntries(matrix));
-          own.open(matrix);
+          own = std::make_unique<LocalBlocks>(matrix);
         }
     }
 
@@ -249,7 +250,7 @@ namespace Heddle
       for (unsigned int r = 0; r < n_own; ++r)
         {
           const double *rows = tangent + 9 * n * places[r];
-          own.add_to_row(
+          own->add_to_row(
             sorted[r], n_own, sorted.data(), places.data(), rows, 3 * n);
           const unsigned int n_foreign = n - n_own;
           if (n_foreign == 0)
@@ -420,7 +421,7 @@ namespace Heddle
               matrix, 1, &row, 1, &row, diagonal, ADD_VALUES));
           }
       petsc(VecRestoreArray(rhs, &values));
-      own.release();
+      own.reset();
       petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
       petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
     }

@@ -121,7 +121,7 @@ main(int argc, char **argv)
 
       Solver::YarnMotions motions(*yarns.state);
       motions.set_up(yarns.system->tangent(),
-                     Solver::LocalBlocks(yarns.system->tangent()));
+                     System::LocalBlocks(yarns.system->tangent()));
       const unsigned int n          = 3 * yarns.state->n_owned_blocks();
       const auto         correction = [&](const std::vector<double> &residual) {
         std::vector<double> result(n, 0.);

@@ -1,7 +1,7 @@
 #ifndef heddle_solver_fiber_blocks_h
 #define heddle_solver_fiber_blocks_h
 
-#include <heddle/solver/local_blocks.h>
+#include <heddle/system/local_blocks.h>
 #include <heddle/system/state.h>
 
 #include <vector>
@@ -24,7 +24,7 @@ namespace Heddle
 
       /** Take the blocks from a tangent and factorize them. */
       void
-      set_up(const LocalBlocks &tangent);
+      set_up(const System::LocalBlocks &tangent);
 
       /** Solve for the right-hand side @p values of the own fibers. */
       void
@@ -32,7 +32,7 @@ namespace Heddle
 
     private:
       void
-      extract(const LocalBlocks &tangent);
+      extract(const System::LocalBlocks &tangent);
 
       void
       factorize(const unsigned int fiber);

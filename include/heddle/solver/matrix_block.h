@@ -1,7 +1,7 @@
 #ifndef heddle_solver_matrix_block_h
 #define heddle_solver_matrix_block_h
 
-#include <heddle/solver/local_blocks.h>
+#include <heddle/system/local_blocks.h>
 #include <heddle/system/state.h>
 
 #include <petscpc.h>
@@ -31,7 +31,7 @@ namespace Heddle
 
       /** Take this part of a tangent. */
       void
-      set_up(const LocalBlocks &tangent);
+      set_up(const System::LocalBlocks &tangent);
 
       /**
        * Write to @p result what @p residual gives, for the own nodes of the

@@ -1,7 +1,7 @@
 #ifndef heddle_solver_yarn_motions_h
 #define heddle_solver_yarn_motions_h
 
-#include <heddle/solver/local_blocks.h>
+#include <heddle/system/local_blocks.h>
 #include <heddle/system/state.h>
 
 #include <Eigen/SparseCholesky>
@@ -38,7 +38,7 @@ namespace Heddle
        * @note Collective.
        */
       void
-      set_up(Mat tangent, const LocalBlocks &own);
+      set_up(Mat tangent, const System::LocalBlocks &own);
 
       /**
        * Add to @p result the correction for @p residual, both of the own

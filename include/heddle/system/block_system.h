@@ -1,13 +1,14 @@
 #ifndef heddle_system_block_system_h
 #define heddle_system_block_system_h
 
-#include <heddle/system/diagonal_part.h>
+#include <heddle/system/local_blocks.h>
 #include <heddle/system/state.h>
 
 #include <deal.II/base/tensor.h>
 
 #include <petscmat.h>
 
+#include <memory>
 #include <vector>
 
 namespace Heddle
@@ -220,7 +221,7 @@ namespace Heddle
       std::vector<double>       work;
       std::vector<PetscInt>     row_columns;
 
-      DiagonalPart own; /**< open from begin() to end() */
+      std::unique_ptr<LocalBlocks> own; /**< from begin() to end() */
 
       Mat matrix    = nullptr;
       Vec rhs       = nullptr;

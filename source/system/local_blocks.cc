@@ -1,5 +1,5 @@
 #include <heddle/base/petsc.h>
-#include <heddle/system/diagonal_part.h>
+#include <heddle/system/local_blocks.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -7,8 +7,7 @@ namespace Heddle
 {
   namespace System
   {
-    void
-    DiagonalPart::open(Mat matrix)
+    LocalBlocks::LocalBlocks(Mat matrix)
     {
       petsc(MatGetDiagonalBlock(matrix, &part));
       petsc(PetscObjectTypeCompare(
@@ -19,37 +18,34 @@ namespace Heddle
       AssertThrow(done,
                   dealii::ExcMessage("The tangent does not show its blocks."));
       if (symmetric)
-        petsc(MatSeqSBAIJGetArray(part, &entries));
+        petsc(MatSeqSBAIJGetArray(part, &values));
       else
-        petsc(MatSeqBAIJGetArray(part, &entries));
+        petsc(MatSeqBAIJGetArray(part, &values));
     }
 
 
 
-    void
-    DiagonalPart::release()
+    LocalBlocks::~LocalBlocks()
     {
-      if (part == nullptr)
-        return;
-      if (symmetric)
-        petsc(MatSeqSBAIJRestoreArray(part, &entries));
-      else
-        petsc(MatSeqBAIJRestoreArray(part, &entries));
+      // A destructor throws nothing, and views that end cannot fail.
       PetscBool done;
-      petsc(MatRestoreRowIJ(
-        part, 0, PETSC_FALSE, PETSC_TRUE, &n_rows, &row_begin, &stored, &done));
-      part = nullptr;
+      if (symmetric)
+        MatSeqSBAIJRestoreArray(part, &values);
+      else
+        MatSeqBAIJRestoreArray(part, &values);
+      MatRestoreRowIJ(
+        part, 0, PETSC_FALSE, PETSC_TRUE, &n_rows, &row_begin, &stored, &done);
     }
 
 
 
     void
-    DiagonalPart::add_to_row(const unsigned int  row,
-                             const unsigned int  n,
-                             const unsigned int *columns,
-                             const unsigned int *places,
-                             const double       *values,
-                             const unsigned int  stride)
+    LocalBlocks::add_to_row(const unsigned int  row,
+                            const unsigned int  n,
+                            const unsigned int *columns,
+                            const unsigned int *places,
+                            const double       *added,
+                            const unsigned int  stride)
     {
       PetscInt k = row_begin[row];
       for (unsigned int c = 0; c < n; ++c)
@@ -61,8 +57,8 @@ namespace Heddle
             ++k;
           AssertThrow(k < row_begin[row + 1] && stored[k] == column,
                       dealii::ExcMessage("The pattern lacks a block."));
-          double       *block = entries + 9 * k;
-          const double *value = values + 3 * places[c];
+          double       *block = values + 9 * k;
+          const double *value = added + 3 * places[c];
           for (unsigned int j = 0; j < 3; ++j)
             for (unsigned int i = 0; i < 3; ++i)
               block[3 * j + i] += value[stride * i + j];
