@@ -5,12 +5,23 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cstdlib>
 #include <string>
 #include <vector>
+
+/** Of OpenBLAS, where that is what provides BLAS. */
+extern "C" void
+openblas_set_num_threads(int n_threads) __attribute__((weak));
 
 int
 main(int argc, char *argv[])
 {
+  // The ranks are the parallelism: threads of BLAS would wait for work in the
+  // time of other ranks.
+  if (openblas_set_num_threads != nullptr &&
+      std::getenv("OPENBLAS_NUM_THREADS") == nullptr)
+    openblas_set_num_threads(1);
+
   std::vector<std::string> arguments(argv, argv + argc);
   std::vector<std::string> petsc = Heddle::take_petsc_arguments(arguments);
   std::vector<char *>      petsc_argv;
