@@ -14,7 +14,7 @@ namespace Heddle
     namespace
     {
       /** A search ends where the slope is this part of the first one. */
-      constexpr double flat = 0.1;
+      constexpr double flat = 0.2;
 
       /** A step is doubled while the slope at its end is steeper than this. */
       constexpr double steep = 0.3;
@@ -35,7 +35,7 @@ namespace Heddle
       , increment(increment)
       , start(state.current())
     {
-      first_slope = slope(system, increment);
+      first.slope = slope(system, increment);
 
       Vec image;
       petsc(VecDuplicate(system.solution(), &image));
@@ -45,8 +45,9 @@ namespace Heddle
       petsc(VecDestroy(&image));
 
       const std::array<double, 2> rough = rough_part();
-      smooth_slope                      = first_slope - rough[0];
-      smooth_curvature                  = curvature - damping - rough[1];
+      first.curvature                   = curvature - damping;
+      smooth_slope                      = first.slope - rough[0];
+      smooth_curvature                  = first.curvature - rough[1];
     }
 
 
@@ -71,44 +72,53 @@ namespace Heddle
       // Where the slope is still negative the energy still falls; a small
       // positive one is as good. A model that bends down tells nothing of what
       // lies further.
-      double low = 0., slope_low = first_slope;
-      double high       = std::min(1., longest);
-      double slope_high = slope_at(high);
-      while (smooth_curvature > 0. &&
-             slope_high < -steep * std::abs(first_slope) &&
-             2. * high <= longest)
+      const double scale = std::abs(first.slope);
+      Place        low = first, high = place_at(std::min(1., longest));
+      while (smooth_curvature > 0. && high.slope < -steep * scale &&
+             2. * high.factor <= longest)
         {
-          const double slope_next = slope_at(2. * high);
-          if (slope_next > flat * std::abs(first_slope))
+          const Place next = place_at(2. * high.factor);
+          if (next.slope > flat * scale)
             break;
-          high *= 2.;
-          slope_high = slope_next;
+          high = next;
         }
 
       // Else go to the root of the slope.
       for (unsigned int trial = 0;
-           trial < max_trials && slope_high > flat * std::abs(first_slope);
+           trial < max_trials && high.slope > flat * scale;
            ++trial)
         {
-          const double guess =
-            low + (high - low) * slope_low / (slope_low - slope_high);
-          const double next = std::clamp(
-            guess, low + 0.1 * (high - low), low + 0.7 * (high - low));
-          const double slope_next = slope_at(next);
-          if (slope_next < -flat * std::abs(first_slope))
+          const double size = high.factor - low.factor;
+          const Place  next = place_at(std::clamp(estimate_root(low, high),
+                                                 low.factor + 0.1 * size,
+                                                 low.factor + 0.9 * size));
+          if (next.slope < -flat * scale)
             {
-              low       = next;
-              slope_low = slope_next;
+              low = next;
               if (trial + 1 == max_trials)
-                return low;
+                return low.factor;
             }
           else
-            {
-              high       = next;
-              slope_high = slope_next;
-            }
+            high = next;
         }
-      return high;
+      return high.factor;
+    }
+
+
+
+    double
+    LineSearch::estimate_root(const Place &low, const Place &high)
+    {
+      // As more and more contacts close the slope grows ever faster: its root
+      // lies between that of the chord and the first one of the tangents.
+      const double chord = low.factor + (high.factor - low.factor) * low.slope /
+                                          (low.slope - high.slope);
+      double bound = high.factor;
+      for (const Place *place : {&low, &high})
+        if (place->curvature > 0.)
+          bound =
+            std::min(bound, place->factor - place->slope / place->curvature);
+      return 0.5 * (chord + std::max(chord, bound));
     }
 
 
@@ -131,8 +141,8 @@ namespace Heddle
 
 
 
-    double
-    LineSearch::slope_at(const double factor)
+    LineSearch::Place
+    LineSearch::place_at(const double factor)
     {
       // As the iteration will move, to the last digit: where it ends here
       // nothing has to be found anew.
@@ -143,9 +153,11 @@ namespace Heddle
       for (const auto &contribution : contributions)
         if (contribution->is_rough())
           contribution->probe(state);
-      const double rough = rough_part()[0];
+      const std::array<double, 2> rough = rough_part();
       state.set(start);
-      return smooth_slope + factor * smooth_curvature + rough;
+      return {factor,
+              smooth_slope + factor * smooth_curvature + rough[0],
+              smooth_curvature + rough[1]};
     }
   } // namespace Solver
 } // namespace Heddle

@@ -56,16 +56,25 @@ namespace Heddle
       std::array<double, 2>
       rough_part() const;
 
-      /** Slope of the whole energy after the part @p factor of the step. */
-      double
-      slope_at(const double factor);
+      /** The whole energy after a part of the step, in its direction. */
+      struct Place
+      {
+        double factor, slope, curvature; /**< [-], [N mm], [N mm] */
+      };
+
+      Place
+      place_at(const double factor);
+
+      /** Between two places: less than the root of the slope, or more. */
+      static double
+      estimate_root(const Place &low, const Place &high);
 
       System::State                  &state;
       const Contributions            &contributions;
       const System::Increment        &increment;
       const std::vector<Tensor<1, 3>> start;
       System::Increment               trial;
-      double                          first_slope      = 0.;
+      Place                           first            = {};
       double                          smooth_slope     = 0.;
       double                          smooth_curvature = 0.;
     };
