@@ -23,8 +23,10 @@ namespace Heddle
 
 
 
-      /** One number for each of the n searches: a loop over them is unrolled
-       * and goes into the lanes of the processor's registers. */
+      /**
+       * One number for each of n searches. Loops over them are short and of
+       * known length: the compiler puts them into the lanes of one register.
+       */
       template <unsigned int n>
       struct alignas(8 * n) Lanes
       {
