@@ -1,6 +1,7 @@
 #include <heddle/base/command_line.h>
 #include <heddle/base/guard.h>
 #include <heddle/base/log.h>
+#include <heddle/base/single_process.h>
 #include <heddle/simulation/run.h>
 
 #include <deal.II/base/mpi.h>
@@ -21,6 +22,7 @@ main(int argc, char *argv[])
   if (openblas_set_num_threads != nullptr &&
       std::getenv("OPENBLAS_NUM_THREADS") == nullptr)
     openblas_set_num_threads(1);
+  Heddle::spare_daemon_and_networks();
 
   std::vector<std::string> arguments(argv, argv + argc);
   std::vector<std::string> petsc = Heddle::take_petsc_arguments(arguments);

@@ -1,6 +1,8 @@
 #ifndef heddle_tests_tests_h
 #define heddle_tests_tests_h
 
+#include <heddle/base/single_process.h>
+
 #include <deal.II/base/logstream.h>
 #include <deal.II/base/mpi.h>
 
@@ -31,7 +33,7 @@ class MPITest
 {
 public:
   MPITest(int &argc, char **&argv)
-    : mpi(argc, argv, /*max_num_threads=*/1)
+    : mpi(prepared(argc), argv, /*max_num_threads=*/1)
   {
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       initlog();
@@ -40,6 +42,13 @@ public:
   }
 
 private:
+  static int &
+  prepared(int &argc)
+  {
+    Heddle::spare_daemon_and_networks();
+    return argc;
+  }
+
   Utilities::MPI::MPI_InitFinalize mpi;
 };
 
