@@ -29,10 +29,10 @@ namespace Heddle
           {
             const double third =
               (curve.arc_lengths[i + 1] - curve.arc_lengths[i]) / 3.;
-            point[0] = curve.positions[i];
-            point[1] = curve.positions[i] + third * curve.tangents[i];
-            point[2] = curve.positions[i + 1] - third * curve.tangents[i + 1];
-            point[3] = curve.positions[i + 1];
+            point[0] = curve.position(i);
+            point[1] = curve.position(i) + third * curve.tangent(i);
+            point[2] = curve.position(i + 1) - third * curve.tangent(i + 1);
+            point[3] = curve.position(i + 1);
           }
 
           Tensor<1, 3> point[4];
@@ -181,7 +181,9 @@ namespace Heddle
       std::vector<Entry> entries;
       std::vector<Chord> chords;
       for (unsigned int c = 0; c < curves.size(); ++c)
-        for (unsigned int i = 0; i + 1 < curves[c].curve.n_knots; ++i)
+        for (unsigned int i = curves[c].curve.known.first;
+             i + 1 < curves[c].curve.known.second;
+             ++i)
           {
             const ControlPoints control(curves[c].curve, i);
             entries.emplace_back(

@@ -99,7 +99,7 @@ namespace Heddle
         {
           interval[i]             = new_interval;
           first[i]                = curves[i]->arc_lengths[new_interval];
-          const CurveCubic &cubic = curves[i]->cubics[new_interval];
+          const CurveCubic &cubic = curves[i]->cubic(new_interval);
           for (unsigned int d = 0; d < 3; ++d)
             {
               c0[d][i] = cubic.c0[d];

@@ -30,11 +30,11 @@ namespace Heddle
       start_from_knots(const Curve &a, const Curve &b, ProjectedCrossing &start)
       {
         double closest = std::numeric_limits<double>::max();
-        for (unsigned int i = 0; i < a.n_knots; ++i)
-          for (unsigned int j = 0; j < b.n_knots; ++j)
+        for (unsigned int i = a.known.first; i < a.known.second; ++i)
+          for (unsigned int j = b.known.first; j < b.known.second; ++j)
             {
-              const double x        = a.positions[i][0] - b.positions[j][0];
-              const double y        = a.positions[i][1] - b.positions[j][1];
+              const double x        = a.position(i)[0] - b.position(j)[0];
+              const double y        = a.position(i)[1] - b.position(j)[1];
               const double distance = x * x + y * y;
               if (distance < closest)
                 {
@@ -47,14 +47,22 @@ namespace Heddle
 
 
 
+      /** The nearest arc length at which the curve is known. */
+      double
+      bounded(const double s, const Curve &curve)
+      {
+        return std::min(std::max(s, curve.arc_lengths[curve.known.first]),
+                        curve.arc_lengths[curve.known.second - 1]);
+      }
+
+
+
       /** Newton's method on the distance of the projections. */
       bool
       improve(const Curve &a, const Curve &b, ProjectedCrossing &crossing)
       {
         unsigned int interval_a = crossing.s_a / a.length() * (a.n_knots - 1);
         unsigned int interval_b = crossing.s_b / b.length() * (b.n_knots - 1);
-        interval_a              = std::min(interval_a, a.n_knots - 2);
-        interval_b              = std::min(interval_b, b.n_knots - 2);
         for (unsigned int iteration = 0; iteration < 20; ++iteration)
           {
             const CurvePoint   on_a  = a.evaluate(crossing.s_a, interval_a);
@@ -72,8 +80,8 @@ namespace Heddle
               }
             const double s_a = crossing.s_a - cross(apart, on_b.tangent) / sine;
             const double s_b = crossing.s_b - cross(apart, on_a.tangent) / sine;
-            crossing.s_a     = std::min(std::max(s_a, 0.), a.length());
-            crossing.s_b     = std::min(std::max(s_b, 0.), b.length());
+            crossing.s_a     = bounded(s_a, a);
+            crossing.s_b     = bounded(s_b, b);
           }
         return false;
       }

@@ -20,8 +20,8 @@ namespace Heddle
                const Curve       &b,
                const unsigned int j)
         {
-          const Tensor<1, 3> u = a.positions[i + 1] - a.positions[i];
-          const Tensor<1, 3> v = b.positions[j + 1] - b.positions[j];
+          const Tensor<1, 3> u = a.position(i + 1) - a.position(i);
+          const Tensor<1, 3> v = b.position(j + 1) - b.position(j);
           return u * v / (u.norm() * v.norm());
         }
 

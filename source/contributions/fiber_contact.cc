@@ -1,6 +1,7 @@
 #include <heddle/base/reduce.h>
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/interval_pairs.h>
+#include <heddle/contributions/near_fibers.h>
 #include <heddle/contributions/summed_terms.h>
 
 #include <deal.II/base/mpi.h>
@@ -43,6 +44,12 @@ namespace Heddle
        * iterations of the linear solver.
        */
       constexpr double pattern_margin = 0.1;
+
+      /**
+       * Nodes that a rank holds of a foreign fiber beyond those that are near:
+       * new pieces need a new search of all pairs.
+       */
+      constexpr unsigned int spare_nodes = 2;
 
       /** No guess is followed that lays fibers so deep in each other, in radii.
        */
@@ -137,11 +144,15 @@ namespace Heddle
     {
       update_curves(state);
       const double distance = parameters.search_distance * largest_radius;
+      double       furthest = distance;
       if (searched)
-        measure_motion(state);
-      const double furthest = Utilities::MPI::max(
-        searched ? *std::max_element(moved.begin(), moved.end()) : distance,
-        space.communicator());
+        {
+          // Ranks that hold pieces of a fiber only have to decide alike.
+          measure_motion(state);
+          Utilities::MPI::max(
+            std::vector<double>(moved), space.communicator(), moved);
+          furthest = *std::max_element(moved.begin(), moved.end());
+        }
       if (furthest > stale_after * distance)
         search(state, stale_after * distance);
       place_elements(state);
@@ -182,9 +193,8 @@ namespace Heddle
           {
             const double third =
               space.fiber(f).length / (3. * (space.fiber(f).n_nodes - 1));
-            const unsigned int first = centerlines.first_knot(f);
-            for (unsigned int i = first; i < first + space.fiber(f).n_nodes;
-                 ++i)
+            const auto knots = centerlines.knots(f);
+            for (unsigned int i = knots.first; i < knots.second; ++i)
               {
                 const Tensor<1, 3> position =
                   centerlines.positions()[i] - searched_at[2 * i];
@@ -202,52 +212,17 @@ namespace Heddle
     bool
     FiberContact::fetch_near_fibers(System::State &state)
     {
-      // Boxes of whole fibers, from all ranks, say which may come near.
-      const double margin =
-        largest_radius * (1. + 0.5 * parameters.search_distance);
-      std::vector<double> boxes(6 * space.n_fibers(),
-                                -std::numeric_limits<double>::max());
-      const auto          owned = space.owned_fibers();
-      for (unsigned int f = owned.first; f < owned.second; ++f)
-        for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
-          {
-            const double third =
-              space.fiber(f).length / (3. * (space.fiber(f).n_nodes - 1));
-            const unsigned int k = centerlines.first_knot(f) + i;
-            for (const double side : {-third, 0., third})
-              for (unsigned int d = 0; d < 3; ++d)
-                {
-                  const double x = centerlines.positions()[k][d] +
-                                   side * centerlines.tangents()[k][d];
-                  boxes[6 * f + d] = std::max(boxes[6 * f + d], x + margin);
-                  boxes[6 * f + 3 + d] =
-                    std::max(boxes[6 * f + 3 + d], margin - x);
-                }
-          }
-      std::vector<double> all_boxes(boxes.size());
-      Utilities::MPI::max(boxes, space.communicator(), all_boxes);
-
-      std::vector<unsigned int> near;
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        if (!space.owns(f))
-          for (unsigned int g = owned.first; g < owned.second; ++g)
-            {
-              bool meet = true;
-              for (unsigned int d = 0; d < 3 && meet; ++d)
-                meet = all_boxes[6 * f + d] + all_boxes[6 * g + 3 + d] > 0. &&
-                       all_boxes[6 * g + d] + all_boxes[6 * f + 3 + d] > 0.;
-              if (meet)
-                {
-                  near.push_back(f);
-                  break;
-                }
-            }
-      const bool changed =
-        Utilities::MPI::max(near != state.ghost_fibers() ? 1 : 0,
-                            space.communicator()) > 0;
+      if (Utilities::MPI::n_mpi_processes(space.communicator()) == 1)
+        return false;
+      const auto near = find_near_fibers(
+        space,
+        centerlines,
+        largest_radius * (1. + 0.5 * parameters.search_distance));
+      const bool changed = Utilities::MPI::max(holds(state, near) ? 0 : 1,
+                                               space.communicator()) > 0;
       if (changed)
         {
-          state.set_ghost_fibers(near);
+          state.set_ghost_fibers(lengthened(space, near, spare_nodes));
           pattern_pairs.clear();
         }
       return changed;
@@ -289,9 +264,8 @@ namespace Heddle
       for (unsigned int f = 0; f < space.n_fibers(); ++f)
         if (state.has(f) && moved[f] > stale)
           {
-            const unsigned int first = centerlines.first_knot(f);
-            for (unsigned int i = first; i < first + space.fiber(f).n_nodes;
-                 ++i)
+            const auto knots = centerlines.knots(f);
+            for (unsigned int i = knots.first; i < knots.second; ++i)
               {
                 searched_at[2 * i]     = centerlines.positions()[i];
                 searched_at[2 * i + 1] = centerlines.tangents()[i];
@@ -509,6 +483,7 @@ namespace Heddle
           positions.resize(space.fiber(f).n_nodes);
           tangents.resize(space.fiber(f).n_nodes);
           space.centerline_knots(f,
+                                 space.all_nodes(f),
                                  increment.data() + state.local_block(f),
                                  positions.data(),
                                  tangents.data());

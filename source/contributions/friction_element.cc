@@ -11,15 +11,16 @@ namespace Heddle
     {
       /** Coordinates in the section of the vector @p r from the axis. */
       std::array<double, 2>
-      place_in_section(const System::SectionPoint &point,
-                       const Tensor<1, 3>         *blocks,
+      place_in_section(const System::State        &state,
+                       const unsigned int          fiber,
+                       const System::SectionPoint &point,
                        const Tensor<1, 3>         &r)
       {
         Tensor<1, 3> g[2];
         for (unsigned int direction = 0; direction < 2; ++direction)
           for (unsigned int i = 0; i < 2; ++i)
             g[direction] +=
-              point.values[i] * blocks[point.blocks[i] + direction];
+              point.values[i] * state.block(fiber, point.blocks[i] + direction);
 
         // The nearest vector of the section, by the normal equations.
         const double a = g[0] * g[0], b = g[0] * g[1], c = g[1] * g[1];
@@ -55,7 +56,7 @@ namespace Heddle
       const unsigned int          fiber = side == 0 ? fiber_a : fiber_b;
       const double                s     = side == 0 ? s_a : s_b;
       const double                sign  = side == 0 ? 1. : -1.;
-      const unsigned int          first = state.local_block(fiber);
+      const int                   first = state.local_block(fiber);
       const System::MaterialPoint axis  = space.locate(fiber, s);
       const System::MaterialPoint slope = space.locate_tangent(fiber, s);
       Assert(axis.blocks == slope.blocks,
@@ -70,10 +71,8 @@ namespace Heddle
         return;
 
       const System::SectionPoint section = space.locate_section(fiber, s);
-      const auto                 place =
-        place_in_section(section,
-                         state.fiber(fiber),
-                         (-sign * space.fiber(fiber).radius) * normal);
+      const auto                 place   = place_in_section(
+        state, fiber, section, (-sign * space.fiber(fiber).radius) * normal);
       for (unsigned int direction = 0; direction < 2; ++direction)
         for (unsigned int i = 0; i < 2; ++i, ++n_blocks)
           {

@@ -184,7 +184,8 @@ namespace Heddle
       if (is_in_matrix())
         return state.has_matrix_node(block) ? state.matrix_block(block)
                                             : nobody;
-      return state.has(fiber) ? state.local_block(fiber) + block : nobody;
+      return state.has(fiber, block) ? state.local_block(fiber) + block
+                                     : nobody;
     }
 
 

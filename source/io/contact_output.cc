@@ -23,7 +23,7 @@ namespace Heddle
           const auto   point = space.locate(f, s);
           Tensor<1, 3> x;
           for (unsigned int i = 0; i < point.blocks.size(); ++i)
-            x += point.values[i] * state.fiber(f)[point.blocks[i]];
+            x += point.values[i] * state.block(f, point.blocks[i]);
           return x;
         }
 

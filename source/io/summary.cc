@@ -50,6 +50,7 @@ namespace Heddle
           json["linear_iterations"]       = stage.linear_iterations;
           json["contact_elements"]        = stage.contact_elements;
           json["active_contact_elements"] = stage.active_contact_elements;
+          json["n_dofs_per_rank"]         = stage.n_dofs_per_rank;
           json["max_penetration_ratio"]   = stage.max_penetration_ratio;
           json["crossings_total"]         = stage.crossings_total;
           json["crossings_wrong"]         = stage.crossings_wrong;

@@ -13,15 +13,16 @@ namespace Heddle
                const unsigned int   f,
                const unsigned int   n_pieces)
     {
-      Assert(state.has(f), ExcMessage("This rank does not have the fiber."));
-
       const System::FiberSpace &space   = state.space;
       const unsigned int        n_nodes = space.fiber(f).n_nodes;
       const double             *nodes   = space.node_positions(f);
       Polyline                  positions(n_nodes);
       Polyline                  tangents(n_nodes);
-      space.centerline_knots(
-        f, state.fiber(f), positions.data(), tangents.data());
+      space.centerline_knots(f,
+                             space.all_nodes(f),
+                             state.fiber(f),
+                             positions.data(),
+                             tangents.data());
 
       Polyline line(1, positions[0]);
       for (unsigned int i = 0; i + 1 < n_nodes; ++i)

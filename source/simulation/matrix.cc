@@ -252,7 +252,7 @@ namespace Heddle
     {
       Tensor<1, 3> place;
       for (unsigned int i = 0; i < particle.blocks.size(); ++i)
-        place += particle.values[i] * state.fiber(fiber)[particle.blocks[i]];
+        place += particle.values[i] * state.block(fiber, particle.blocks[i]);
       const Textile::PlaceInCell found = mesh->locate(place);
       if (found.cell == Textile::no_cell)
         return;
@@ -336,8 +336,9 @@ namespace Heddle
     void
     Matrix::add_to(System::State &state, const Points &points) const
     {
-      std::set<unsigned int> nodes, fibers;
-      const auto             add_cell = [&](const unsigned int c) {
+      std::set<unsigned int>                    nodes;
+      std::map<unsigned int, System::NodeRange> fibers;
+      const auto add_cell = [&](const unsigned int c) {
         for (unsigned int a = 0; a < matrix_space->n_nodes_per_cell(); ++a)
           if (!matrix_space->owns(matrix_space->cell(c)[a]))
             nodes.insert(matrix_space->cell(c)[a]);
@@ -348,11 +349,20 @@ namespace Heddle
         {
           add_cell(point.cell);
           if (!state.space.owns(point.fiber))
-            fibers.insert(point.fiber);
+            for (const unsigned int block : point.particle.blocks)
+              {
+                const unsigned int i = block / state.space.n_blocks_per_node();
+                System::NodeRange &range =
+                  fibers.insert({point.fiber, {i, i + 1}}).first->second;
+                range.begin = std::min(range.begin, i);
+                range.end   = std::max(range.end, i + 1);
+              }
         }
-      state.set_matrix(matrix_space.get(),
-                       {nodes.begin(), nodes.end()},
-                       {fibers.begin(), fibers.end()});
+      std::vector<System::GhostFiber> linked;
+      for (const auto &piece : fibers)
+        linked.push_back({piece.first, piece.second});
+      state.set_matrix(
+        matrix_space.get(), {nodes.begin(), nodes.end()}, linked);
     }
 
 

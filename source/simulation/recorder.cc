@@ -172,8 +172,10 @@ namespace Heddle
     {
       IO::StageSummary &stage = summary.stages[place.stage];
       ++stage.steps;
-      stage.residual_ratio = result.residual_ratio;
-      auto values          = scene.report(place.stage);
+      stage.residual_ratio  = result.residual_ratio;
+      stage.n_dofs_per_rank = Utilities::MPI::max(
+        3 * scene.state().n_local_blocks(), scene.space().communicator());
+      auto values = scene.report(place.stage);
       if (scene.contact())
         {
           stage.contact_elements        = values["contact_elements[-]"];

@@ -97,13 +97,15 @@ namespace Heddle
       const std::vector<int> global = state.global_blocks();
       for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
         if (state.has(f))
-          for (unsigned int b = 0; b < state.space.n_blocks(f); ++b)
-            {
-              const unsigned int local = state.local_block(f) + b;
-              shares[local]            = share(f, b);
-              if (!state.space.owns(f))
-                remote_blocks[global[local]] = local;
-            }
+          {
+            const auto held = state.held_blocks(f);
+            for (unsigned int local = held.first; local < held.second; ++local)
+              {
+                shares[local] = share(f, local - state.local_block(f));
+                if (!state.space.owns(f))
+                  remote_blocks[global[local]] = local;
+              }
+          }
     }
 
 

@@ -219,26 +219,50 @@ namespace Heddle
 
 
 
+    NodeRange
+    FiberSpace::nodes_below(const unsigned int f, const NodeRange &nodes) const
+    {
+      // See combine(): at the ends of a fiber the four nodes begin further in.
+      constexpr unsigned int more = 2;
+      return {nodes.begin - std::min(more, nodes.begin),
+              std::min(nodes.end + more, fibers[f].n_nodes)};
+    }
+
+
+
+    NodeRange
+    FiberSpace::knots_from(const unsigned int f, const NodeRange &held) const
+    {
+      // The tangent of a node takes its neighbours.
+      return {held.begin > 0 ? held.begin + 1 : 0,
+              held.end < fibers[f].n_nodes ? held.end - 1 : held.end};
+    }
+
+
+
     void
     FiberSpace::centerline_knots(const unsigned int  f,
+                                 const NodeRange    &held,
                                  const Tensor<1, 3> *blocks,
                                  Tensor<1, 3>       *positions,
                                  Tensor<1, 3>       *tangents) const
     {
-      const unsigned int n = fibers[f].n_nodes;
-      for (unsigned int i = 0; i < n; ++i)
-        positions[i] = blocks[blocks_per_node * i];
-      if (blocks_per_node == 2)
+      const NodeRange knots = knots_from(f, held);
+      const auto      block = [&](const unsigned int node) {
+        return blocks + blocks_per_node * (node - held.begin);
+      };
+      for (unsigned int i = knots.begin; i < knots.end; ++i)
         {
-          for (unsigned int i = 0; i < n; ++i)
-            tangents[i] = blocks[2 * i + 1];
-          return;
-        }
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          tangents[i] = 0.;
+          positions[i - knots.begin] = block(i)[0];
+          Tensor<1, 3> &tangent      = tangents[i - knots.begin];
+          if (blocks_per_node == 2)
+            {
+              tangent = block(i)[1];
+              continue;
+            }
+          tangent = 0.;
           for (const auto &weight : tangent_weights(f, i))
-            tangents[i] += weight.second * positions[weight.first];
+            tangent += weight.second * block(weight.first)[0];
         }
     }
   } // namespace System

@@ -11,6 +11,38 @@ namespace Heddle
 {
   namespace System
   {
+    namespace
+    {
+      /** Of each fiber what is in any of both, both in ascending order. */
+      std::vector<GhostFiber>
+      union_of(const std::vector<GhostFiber> &some,
+               const std::vector<GhostFiber> &others)
+      {
+        std::vector<GhostFiber> all;
+        std::merge(some.begin(),
+                   some.end(),
+                   others.begin(),
+                   others.end(),
+                   std::back_inserter(all),
+                   [](const GhostFiber &left, const GhostFiber &right) {
+                     return left.fiber < right.fiber;
+                   });
+        std::vector<GhostFiber> result;
+        for (const GhostFiber &ghost : all)
+          if (result.empty() || result.back().fiber != ghost.fiber)
+            result.push_back(ghost);
+          else
+            {
+              NodeRange &nodes = result.back().nodes;
+              nodes.begin      = std::min(nodes.begin, ghost.nodes.begin);
+              nodes.end        = std::max(nodes.end, ghost.nodes.end);
+            }
+        return result;
+      }
+    } // namespace
+
+
+
     State::State(const FiberSpace &space)
       : space(space)
       , owned_fiber_blocks(space.owned_blocks().second -
@@ -18,13 +50,17 @@ namespace Heddle
       , owned_blocks(owned_fiber_blocks)
       , blocks(owned_blocks)
       , accepted_blocks(owned_blocks)
-      , local_begin(space.n_fibers(), absent)
+      , held(space.n_fibers())
+      , local_begin(space.n_fibers(), 0)
       , fiber_exchange(space.communicator())
       , node_exchange(space.communicator())
     {
       const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
-        local_begin[f] = space.first_block(f) - space.owned_blocks().first;
+        {
+          held[f]        = space.all_nodes(f);
+          local_begin[f] = space.first_block(f) - space.owned_blocks().first;
+        }
     }
 
 
@@ -32,7 +68,7 @@ namespace Heddle
     void
     State::set_matrix(const MatrixSpace               *matrix,
                       const std::vector<unsigned int> &foreign_nodes,
-                      const std::vector<unsigned int> &foreign_fibers)
+                      const std::vector<GhostFiber>   &foreign_fibers)
     {
       matrix_space     = matrix;
       ghost_nodes      = foreign_nodes;
@@ -102,8 +138,10 @@ namespace Heddle
       const auto       number_fiber = [&](const unsigned int f) {
         const unsigned int nodes_before =
           matrix_space ? matrix_space->first_node(space.owner(f)) : 0;
-        for (unsigned int b = 0; b < space.n_blocks(f); ++b)
-          numbers[local_begin[f] + b] = space.first_block(f) + nodes_before + b;
+        const auto local = held_blocks(f);
+        for (unsigned int k = local.first; k < local.second; ++k)
+          numbers[k] =
+            int(space.first_block(f) + nodes_before + k) - local_begin[f];
       };
       const auto number_node = [&](const unsigned int node) {
         numbers[matrix_block(node)] =
@@ -113,8 +151,8 @@ namespace Heddle
       const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         number_fiber(f);
-      for (const unsigned int f : ghosts)
-        number_fiber(f);
+      for (const GhostFiber &ghost : ghosts)
+        number_fiber(ghost.fiber);
       if (matrix_space)
         {
           const auto nodes = matrix_space->owned_nodes();
@@ -129,40 +167,42 @@ namespace Heddle
 
 
     void
-    State::set_ghost_fibers(const std::vector<unsigned int> &fibers)
+    State::set_ghost_fibers(const std::vector<GhostFiber> &fibers)
     {
-      std::vector<unsigned int> all;
-      std::set_union(fibers.begin(),
-                     fibers.end(),
-                     linked_fibers.begin(),
-                     linked_fibers.end(),
-                     std::back_inserter(all));
-      for (const unsigned int f : ghosts)
-        local_begin[f] = absent;
-      ghosts = all;
+      for (const GhostFiber &ghost : ghosts)
+        held[ghost.fiber] = {};
+      ghosts = union_of(fibers, linked_fibers);
       ++version;
 
-      std::map<unsigned int, std::vector<unsigned int>> wanted;
-      unsigned int                                      end = n_fixed_blocks();
+      std::map<unsigned int, std::vector<GhostFiber>> wanted;
+      const int    n_per_node = space.n_blocks_per_node();
+      unsigned int end        = n_fixed_blocks();
       fiber_exchange.received.clear();
       fiber_exchange.sent.clear();
-      for (const unsigned int f : ghosts)
+      for (const GhostFiber &ghost : ghosts)
         {
+          const unsigned int f = ghost.fiber, owner = space.owner(f);
           Assert(!space.owns(f), ExcMessage("An owned fiber is no ghost."));
-          const unsigned int owner = space.owner(f);
-          local_begin[f]           = end;
-          end += space.n_blocks(f);
-          wanted[owner].push_back(f);
-          fiber_exchange.received.insert({owner, {local_begin[f], 0}})
-            .first->second.n += space.n_blocks(f);
+          held[f]           = ghost.nodes;
+          local_begin[f]    = int(end) - n_per_node * int(ghost.nodes.begin);
+          const auto blocks = held_blocks(f);
+          end               = blocks.second;
+          wanted[owner].push_back(ghost);
+          fiber_exchange.received.insert({owner, {blocks.first, 0}})
+            .first->second.n += blocks.second - blocks.first;
         }
       blocks.resize(end);
       accepted_blocks.resize(end);
       for (const auto &request :
            Utilities::MPI::some_to_some(space.communicator(), wanted))
-        for (const unsigned int f : request.second)
-          fiber_exchange.sent[request.first].push_back(
-            {local_begin[f], space.n_blocks(f)});
+        for (const GhostFiber &ghost : request.second)
+          {
+            const unsigned int n = ghost.nodes.end - ghost.nodes.begin;
+            fiber_exchange.sent[request.first].push_back(
+              {static_cast<unsigned int>(local_begin[ghost.fiber] +
+                                         n_per_node * int(ghost.nodes.begin)),
+               n_per_node * n});
+          }
 
       update_ghosts();
       update_ghosts(accepted_blocks);

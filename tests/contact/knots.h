@@ -112,6 +112,7 @@ struct Knots
     Heddle::Contact::set_cubics(
       n, arc_lengths.data(), positions.data(), tangents.data(), cubics.data());
     return {n,
+            {0, n},
             arc_lengths.data(),
             positions.data(),
             tangents.data(),

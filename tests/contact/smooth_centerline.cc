@@ -82,14 +82,22 @@ examine(const std::string &name,
 
   Errors                    errors;
   std::vector<Tensor<1, 3>> positions(n_nodes), tangents(n_nodes);
-  space.centerline_knots(
-    0, random_curve.data(), positions.data(), tangents.data());
+  space.centerline_knots(0,
+                         space.all_nodes(0),
+                         random_curve.data(),
+                         positions.data(),
+                         tangents.data());
   std::vector<Heddle::Contact::CurveCubic> cubics(n_nodes);
   Heddle::Contact::set_cubics(
     n_nodes, s_nodes, positions.data(), tangents.data(), cubics.data());
-  const Heddle::Contact::Curve curve(
-    n_nodes, s_nodes, positions.data(), tangents.data(), cubics.data(), 1.);
-  unsigned int hint = 0;
+  const Heddle::Contact::Curve curve(n_nodes,
+                                     {0, n_nodes},
+                                     s_nodes,
+                                     positions.data(),
+                                     tangents.data(),
+                                     cubics.data(),
+                                     1.);
+  unsigned int                 hint = 0;
   for (unsigned int k = 0; k <= 200; ++k)
     {
       const double s     = space.fiber(0).length * k / 200.;

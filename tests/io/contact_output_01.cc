@@ -29,11 +29,11 @@ main(int argc, char **argv)
   WavyFabric fabric(MPI_COMM_WORLD);
 
   // A warp fiber over a weft fiber: on two ranks, both hold the element.
-  const unsigned int        a = 7, b = 14;
-  std::vector<unsigned int> ghosts;
+  const unsigned int                      a = 7, b = 14;
+  std::vector<Heddle::System::GhostFiber> ghosts;
   for (const unsigned int f : {a, b})
     if (!fabric.space.owns(f))
-      ghosts.push_back(f);
+      ghosts.push_back({f, fabric.space.all_nodes(f)});
   fabric.state.set_ghost_fibers(ghosts);
 
   Heddle::Contact::ContactElement element;

@@ -27,6 +27,7 @@ main(int argc, char **argv)
   stage.steps                 = 3;
   stage.newton_iterations     = 21;
   stage.contact_elements      = 900;
+  stage.n_dofs_per_rank       = 2400;
   stage.max_penetration_ratio = 0.0175;
   stage.wall_time.total       = 2.5;
   summary.stages.push_back(stage);

@@ -35,10 +35,10 @@ public:
         paths.back().yarn_id = alone ? f : f / 4;
       }
     build(paths);
-    std::vector<unsigned int> foreign;
+    std::vector<System::GhostFiber> foreign;
     for (unsigned int f = 0; f < space->n_fibers(); ++f)
       if (!space->owns(f))
-        foreign.push_back(f);
+        foreign.push_back({f, space->all_nodes(f)});
     state->set_ghost_fibers(foreign);
     system = std::make_unique<System::BlockSystem>(*state, /*symmetric=*/true);
 

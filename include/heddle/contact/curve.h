@@ -4,6 +4,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Heddle
 {
@@ -31,25 +32,31 @@ namespace Heddle
 
     /**
      * View of the smooth axis of one fiber: a C1 piecewise cubic given by
-     * positions and tangents at its knots, and by the cubics between them. Owns
-     * nothing.
+     * positions and tangents at its knots, and by the cubics between them. Only
+     * those between some knots may be known. Owns nothing.
      */
     class Curve
     {
     public:
-      /** @p cubics: n_knots - 1 of them, as set_cubics() makes them. */
-      Curve(const unsigned int  n_knots,
-            const double       *arc_lengths,
-            const Tensor<1, 3> *positions,
-            const Tensor<1, 3> *tangents,
-            const CurveCubic   *cubics,
-            const double        radius)
+      /**
+       * @p arc_lengths of all @p n_knots; @p positions, @p tangents and
+       * @p cubics, as set_cubics() makes them, of the knots @p known [first,
+       * second).
+       */
+      Curve(const unsigned int                           n_knots,
+            const std::pair<unsigned int, unsigned int> &known,
+            const double                                *arc_lengths,
+            const Tensor<1, 3>                          *positions,
+            const Tensor<1, 3>                          *tangents,
+            const CurveCubic                            *cubics,
+            const double                                 radius)
         : n_knots(n_knots)
+        , known(known)
         , arc_lengths(arc_lengths)
+        , radius(radius)
         , positions(positions)
         , tangents(tangents)
         , cubics(cubics)
-        , radius(radius)
       {
       }
 
@@ -59,7 +66,30 @@ namespace Heddle
         return arc_lengths[n_knots - 1];
       }
 
-      /** Return the i with knot i <= s < knot i + 1; outside, the nearest one.
+      /** Position of knot @p i, which is known [mm]. */
+      const Tensor<1, 3> &
+      position(const unsigned int i) const
+      {
+        return positions[i - known.first];
+      }
+
+      /** Tangent there [-]. */
+      const Tensor<1, 3> &
+      tangent(const unsigned int i) const
+      {
+        return tangents[i - known.first];
+      }
+
+      /** The cubic between the knots @p i and i + 1, which are known. */
+      const CurveCubic &
+      cubic(const unsigned int i) const
+      {
+        return cubics[i - known.first];
+      }
+
+      /**
+       * Return the i with knot i <= s < knot i + 1; of what is not known, the
+       * nearest one that is.
        */
       unsigned int
       interval(const double s) const;
@@ -79,12 +109,15 @@ namespace Heddle
       Tensor<1, 3>
       at(const double s) const;
 
-      const unsigned int        n_knots;
-      const double *const       arc_lengths; /**< [mm] */
-      const Tensor<1, 3> *const positions;   /**< [mm] */
-      const Tensor<1, 3> *const tangents;    /**< [-] */
+      const unsigned int                          n_knots;
+      const std::pair<unsigned int, unsigned int> known;
+      const double *const                         arc_lengths; /**< [mm] */
+      const double radius; /**< of the fiber's section [mm] */
+
+    private:
+      const Tensor<1, 3> *const positions;
+      const Tensor<1, 3> *const tangents;
       const CurveCubic *const   cubics;
-      const double              radius; /**< of the fiber's section [mm] */
     };
 
 
@@ -92,9 +125,10 @@ namespace Heddle
     inline unsigned int
     Curve::interval(const double s, unsigned int from) const
     {
-      while (from > 0 && s < arc_lengths[from])
+      from = std::min(std::max(from, known.first), known.second - 2);
+      while (from > known.first && s < arc_lengths[from])
         --from;
-      while (from + 2 < n_knots && s >= arc_lengths[from + 1])
+      while (from + 2 < known.second && s >= arc_lengths[from + 1])
         ++from;
       return from;
     }
@@ -106,7 +140,7 @@ namespace Heddle
     {
       // Nearly all fibers have equal intervals: this guess is then right.
       const double i = s / length() * (n_knots - 1);
-      return interval(s, std::min<unsigned int>(n_knots - 2, std::max(0., i)));
+      return interval(s, static_cast<unsigned int>(std::max(0., i)));
     }
 
 
@@ -115,7 +149,7 @@ namespace Heddle
     Curve::evaluate(const double s, unsigned int &interval) const
     {
       interval                = this->interval(s, interval);
-      const CurveCubic &cubic = cubics[interval];
+      const CurveCubic &cubic = this->cubic(interval);
       const double      t     = s - arc_lengths[interval];
       CurvePoint        point;
       for (unsigned int d = 0; d < 3; ++d)

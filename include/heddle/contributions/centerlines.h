@@ -4,6 +4,7 @@
 #include <heddle/contact/curve.h>
 #include <heddle/system/state.h>
 
+#include <utility>
 #include <vector>
 
 namespace Heddle
@@ -13,9 +14,9 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * The smooth centerlines of all fibers that a rank has, its own and those
-     * of others: what contact and crossings look at. Of a vector other than the
-     * configuration, its interpolation along the fibers.
+     * The smooth centerlines of all fibers that a rank has, its own and what it
+     * holds of others: what contact and crossings see. Of a vector other than
+     * the configuration, its interpolation along the fibers.
      */
     class Centerlines
     {
@@ -30,11 +31,19 @@ namespace Heddle
       Contact::Curve
       curve(const unsigned int f) const;
 
-      /** Number of the first knot of fiber @p f in what follows. */
-      unsigned int
-      first_knot(const unsigned int f) const
+      /** Numbers [first, second) of the knots of fiber @p f in what follows. */
+      std::pair<unsigned int, unsigned int>
+      knots(const unsigned int f) const
       {
-        return first_knots[f];
+        return {first_knots[f],
+                first_knots[f] + ranges[f].end - ranges[f].begin};
+      }
+
+      /** The nodes of fiber @p f that these knots are at. */
+      const System::NodeRange &
+      nodes(const unsigned int f) const
+      {
+        return ranges[f];
       }
 
       const std::vector<Tensor<1, 3>> &
@@ -52,6 +61,7 @@ namespace Heddle
 
     private:
       const System::FiberSpace        &space;
+      std::vector<System::NodeRange>   ranges;
       std::vector<unsigned int>        first_knots;
       std::vector<Tensor<1, 3>>        knot_positions, knot_tangents;
       std::vector<Contact::CurveCubic> cubics;

@@ -36,6 +36,7 @@ namespace Heddle
       unsigned int  linear_iterations       = 0;
       std::uint64_t contact_elements        = 0;
       std::uint64_t active_contact_elements = 0;
+      std::uint64_t n_dofs_per_rank         = 0; /**< own and copies, most */
       unsigned int  crossings_total         = 0;
       unsigned int  crossings_wrong         = 0;
 

@@ -41,6 +41,30 @@ namespace Heddle
       std::array<double, 2>       values;
     };
 
+    /** Nodes begin <= i < end of a fiber. */
+    struct NodeRange
+    {
+      unsigned int begin = 0, end = 0;
+
+      bool
+      empty() const
+      {
+        return begin == end;
+      }
+
+      bool
+      contains(const NodeRange &other) const
+      {
+        return other.empty() || (begin <= other.begin && other.end <= end);
+      }
+
+      bool
+      operator==(const NodeRange &other) const
+      {
+        return begin == other.begin && end == other.end;
+      }
+    };
+
     /** What the space keeps of one fiber, on every rank. */
     struct Fiber
     {
@@ -216,13 +240,31 @@ namespace Heddle
       SectionPoint
       locate_section(const unsigned int f, const double s) const;
 
+      NodeRange
+      all_nodes(const unsigned int f) const
+      {
+        return {0, fibers[f].n_nodes};
+      }
+
+      /**
+       * Nodes of fiber @p f whose blocks the centerline between nodes @p begin
+       * and @p end - 1 is made of, and those of the sections there.
+       */
+      NodeRange
+      nodes_below(const unsigned int f, const NodeRange &nodes) const;
+
+      /** Knots that follow if the blocks of the nodes @p held are known. */
+      NodeRange
+      knots_from(const unsigned int f, const NodeRange &held) const;
+
       /**
        * Write positions and arc-length derivatives of the centerline at the
-       * nodes of fiber @p f: the knots of its piecewise cubic. @p blocks are
-       * the blocks of the fiber.
+       * nodes knots_from(@p f, @p held): knots of its piecewise cubic.
+       * @p blocks are those of the nodes @p held.
        */
       void
       centerline_knots(const unsigned int  f,
+                       const NodeRange    &held,
                        const Tensor<1, 3> *blocks,
                        Tensor<1, 3>       *positions,
                        Tensor<1, 3>       *tangents) const;

@@ -5,8 +5,10 @@
 #include <heddle/system/ghost_exchange.h>
 #include <heddle/system/matrix_space.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/tensor.h>
 
+#include <utility>
 #include <vector>
 
 namespace Heddle
@@ -15,11 +17,32 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** A foreign fiber and its nodes of which a rank holds copies. */
+    struct GhostFiber
+    {
+      unsigned int fiber;
+      NodeRange    nodes;
+
+      bool
+      operator==(const GhostFiber &other) const
+      {
+        return fiber == other.fiber && nodes == other.nodes;
+      }
+
+      /** To be sent to other ranks. */
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &fiber &nodes.begin &nodes.end;
+      }
+    };
+
     /**
      * The configuration on this rank: all blocks of its own fibers and, where
      * there is a matrix, of its own nodes of it; and copies of those of others
-     * that come near them (ghosts). The last accepted configuration is kept
-     * beside the current one.
+     * that come near them (ghosts), of fibers the nodes between two. The last
+     * accepted configuration is kept beside the current one.
      *
      * In the arrays of blocks own fibers come first, then own nodes of the
      * matrix, foreign nodes of it, and foreign fibers.
@@ -33,13 +56,13 @@ namespace Heddle
        * From now on there is a matrix, or another one, at rest in its reference
        * configuration. This rank holds copies of these foreign nodes, in
        * ascending order, and, whatever set_ghost_fibers() says, of these
-       * foreign fibers.
+       * foreign fibers, each once, in ascending order.
        * @note Collective.
        */
       void
       set_matrix(const MatrixSpace               *matrix,
                  const std::vector<unsigned int> &ghost_nodes,
-                 const std::vector<unsigned int> &linked_fibers);
+                 const std::vector<GhostFiber>   &linked_fibers);
 
       /** The matrix, or nullptr. */
       const MatrixSpace *
@@ -48,31 +71,70 @@ namespace Heddle
         return matrix_space;
       }
 
-      /** Blocks of fiber @p f, owned or ghost. */
+      /** Blocks of fiber @p f, which is held whole. */
       Tensor<1, 3> *
       fiber(const unsigned int f)
       {
+        Assert(held[f] == space.all_nodes(f),
+               ExcMessage("This rank does not have the whole fiber."));
         return blocks.data() + local_begin[f];
       }
 
       const Tensor<1, 3> *
       fiber(const unsigned int f) const
       {
+        Assert(held[f] == space.all_nodes(f),
+               ExcMessage("This rank does not have the whole fiber."));
         return blocks.data() + local_begin[f];
       }
 
-      /** Whether this rank holds the blocks of fiber @p f. */
+      /** Nodes of fiber @p f whose blocks this rank holds, owned or ghost. */
+      const NodeRange &
+      held_nodes(const unsigned int f) const
+      {
+        return held[f];
+      }
+
+      /** Whether it holds any of them. */
       bool
       has(const unsigned int f) const
       {
-        return local_begin[f] != absent;
+        return !held[f].empty();
       }
 
-      /** Position of block 0 of fiber @p f in arrays of n_local_blocks(). */
-      unsigned int
+      bool
+      has(const unsigned int f, const unsigned int block) const
+      {
+        const unsigned int node = block / space.n_blocks_per_node();
+        return node >= held[f].begin && node < held[f].end;
+      }
+
+      /** The local blocks [first, second) of the nodes held_nodes(@p f). */
+      std::pair<unsigned int, unsigned int>
+      held_blocks(const unsigned int f) const
+      {
+        const unsigned int n = space.n_blocks_per_node();
+        return {local_begin[f] + int(n * held[f].begin),
+                local_begin[f] + int(n * held[f].end)};
+      }
+
+      /**
+       * Position of block 0 of fiber @p f in arrays of n_local_blocks(), to
+       * which the number of a block that is held is to be added: it is negative
+       * where the array begins behind block 0.
+       */
+      int
       local_block(const unsigned int f) const
       {
         return local_begin[f];
+      }
+
+      /** Block @p b of fiber @p f, which is held. */
+      const Tensor<1, 3> &
+      block(const unsigned int f, const unsigned int b) const
+      {
+        Assert(has(f, b), ExcMessage("This block of the fiber is not held."));
+        return blocks[local_begin[f] + int(b)];
       }
 
       bool
@@ -142,19 +204,20 @@ namespace Heddle
       }
 
       /** Fibers whose copies are held, in ascending order. */
-      const std::vector<unsigned int> &
+      const std::vector<GhostFiber> &
       ghost_fibers() const
       {
         return ghosts;
       }
 
       /**
-       * From now on hold copies of these foreign fibers, and of those that are
-       * linked to own nodes of the matrix, and fetch them.
+       * From now on hold copies of these foreign fibers, each once, in
+       * ascending order, and of those that are linked to own nodes of the
+       * matrix, and fetch them.
        * @note Collective.
        */
       void
-      set_ghost_fibers(const std::vector<unsigned int> &fibers);
+      set_ghost_fibers(const std::vector<GhostFiber> &fibers);
 
       /**
        * Fetch the owners' values of the ghosts, of the configuration itself or
@@ -202,8 +265,6 @@ namespace Heddle
       const FiberSpace &space;
 
     private:
-      static constexpr unsigned int absent = static_cast<unsigned int>(-1);
-
       /** Own fibers, all nodes of the matrix: what precedes ghost fibers. */
       unsigned int
       n_fixed_blocks() const
@@ -218,10 +279,11 @@ namespace Heddle
       unsigned int              fields  = 0;
       std::vector<Tensor<1, 3>> blocks;
       std::vector<Tensor<1, 3>> accepted_blocks;
-      std::vector<unsigned int> local_begin;
-      std::vector<unsigned int> ghosts;
+      std::vector<NodeRange>    held;
+      std::vector<int>          local_begin;
+      std::vector<GhostFiber>   ghosts;
       std::vector<unsigned int> ghost_nodes;
-      std::vector<unsigned int> linked_fibers;
+      std::vector<GhostFiber>   linked_fibers;
       GhostExchange             fiber_exchange, node_exchange;
     };
   } // namespace System
