@@ -127,31 +127,49 @@ namespace Heddle
 
 
 
+    std::vector<std::pair<Weave::Direction, unsigned int>>
+    Weave::yarns_in_turn() const
+    {
+      // By their places: the i-th of n at (i + 1/2) / n, without division.
+      const unsigned int n_warp = description.warp.n_yarns,
+                         n_weft = description.weft.n_yarns;
+      std::vector<std::pair<Direction, unsigned int>> yarns;
+      unsigned int                                    i = 0, j = 0;
+      while (i < n_warp || j < n_weft)
+        if (j == n_weft ||
+            (i < n_warp && (2 * i + 1) * n_weft <= (2 * j + 1) * n_warp))
+          yarns.emplace_back(warp, i++);
+        else
+          yarns.emplace_back(weft, j++);
+      return yarns;
+    }
+
+
+
     std::vector<FiberPath>
     Weave::paths(const unsigned int n_elements) const
     {
       std::vector<FiberPath> paths;
-      for (const Direction direction : {warp, weft})
-        for (unsigned int i = 0; i < family(direction).n_yarns; ++i)
-          {
-            const YarnFamily &yarns  = family(direction);
-            const double      half   = 0.5 * lengths[direction];
-            const auto        curves = fibers(direction, i);
-            for (unsigned int f = 0; f < curves.size(); ++f)
-              {
-                const Knots knots = equally_spaced(
-                  curves[f], -half, half, n_elements + 1, 64 * n_elements);
-                FiberPath path;
-                path.points           = knots.points;
-                path.reference_length = knots.length;
-                path.radius           = yarns.packing.radius;
-                path.yarn_id =
-                  direction == warp ? i : description.warp.n_yarns + i;
-                path.bundle_id = f / yarns.packing.fibers_per_bundle;
-                path.set       = direction == warp ? "warp" : "weft";
-                paths.push_back(path);
-              }
-          }
+      for (const auto &[direction, i] : yarns_in_turn())
+        {
+          const YarnFamily &yarns  = family(direction);
+          const double      half   = 0.5 * lengths[direction];
+          const auto        curves = fibers(direction, i);
+          for (unsigned int f = 0; f < curves.size(); ++f)
+            {
+              const Knots knots = equally_spaced(
+                curves[f], -half, half, n_elements + 1, 64 * n_elements);
+              FiberPath path;
+              path.points           = knots.points;
+              path.reference_length = knots.length;
+              path.radius           = yarns.packing.radius;
+              path.yarn_id =
+                direction == warp ? i : description.warp.n_yarns + i;
+              path.bundle_id = f / yarns.packing.fibers_per_bundle;
+              path.set       = direction == warp ? "warp" : "weft";
+              paths.push_back(path);
+            }
+        }
       return paths;
     }
 

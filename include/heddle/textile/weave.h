@@ -10,6 +10,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <utility>
 #include <vector>
 
 namespace Heddle
@@ -62,6 +63,10 @@ namespace Heddle
        * Their reference length is the arc length of their own path, so that
        * they start free of axial strain: the ends are free to slide along the
        * yarn, and what is too long leaves through them.
+       *
+       * Warp and weft yarns take turns: fibers that follow each other, as a
+       * rank owns them, are those of a strip of both families, and fibers of
+       * two ranks cross in two corners of the fabric instead of all over.
        */
       std::vector<FiberPath>
       paths(const unsigned int n_elements) const;
@@ -147,6 +152,10 @@ namespace Heddle
 
       YarnAxis
       axis(const Direction direction, const unsigned int i) const;
+
+      /** All yarns, warp and weft in turn. */
+      std::vector<std::pair<Direction, unsigned int>>
+      yarns_in_turn() const;
 
       /** Axes of the fibers of one yarn, on [-length/2, length/2]. */
       std::vector<Curve>
