@@ -56,10 +56,9 @@ namespace Heddle
       if (code != 0)
         return code;
       const unsigned int n = self->n_fiber_dofs;
-      std::copy_n(input, n, output);
-      self->fibers.apply(output);
+      code                 = self->fibers.apply(input, output);
       if (self->matrix)
-        code = self->matrix->apply(input + n, output + n);
+        code = code != 0 ? code : self->matrix->apply(input + n, output + n);
       if (self->corrected)
         code = code != 0 ? code : self->yarns.add_correction(input, output);
       code = code != 0 ? code : VecRestoreArray(result, &output);

@@ -4,6 +4,8 @@
 #include <heddle/system/local_blocks.h>
 #include <heddle/system/state.h>
 
+#include <petscmat.h>
+
 #include <vector>
 
 namespace Heddle
@@ -13,34 +15,89 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * One banded Cholesky factorization for each fiber of this rank. The band
-     * holds the elasticity of the fiber and what contact and links to a matrix
-     * add to it; coupling to other fibers and to the matrix is left out.
+     * A Cholesky factorization of each fiber of this rank, within its band. The
+     * band holds the elasticity of the fiber and what contact and links to a
+     * matrix add to it; coupling to other fibers and to the matrix is left out.
+     *
+     * All fibers are one sparse matrix of blocks of three, without coupling
+     * between them, that PETSc factorizes exactly in its own order.
      */
     class FiberBlocks
     {
     public:
       FiberBlocks(const System::State &state);
 
+      ~FiberBlocks();
+
+      FiberBlocks(const FiberBlocks &) = delete;
+      FiberBlocks &
+      operator=(const FiberBlocks &) = delete;
+
       /** Take the blocks from a tangent and factorize them. */
       void
       set_up(const System::LocalBlocks &tangent);
 
-      /** Solve for the right-hand side @p values of the own fibers. */
-      void
-      apply(double *values) const;
+      /** Solve for the right-hand side @p residual of the own fibers. */
+      PetscErrorCode
+      apply(const double *residual, double *result) const;
 
     private:
+      /** Call @p action(row, offset, values) for the blocks within bands. */
+      template <typename Action>
       void
-      extract(const System::LocalBlocks &tangent);
+      for_each_block(const System::LocalBlocks &tangent,
+                     const Action              &action) const;
+
+      /** Note which blocks a tangent couples; return whether there are more. */
+      bool
+      find_couplings(const System::LocalBlocks &tangent);
+
+      /** Make the matrix, of zeros, and choose how to factorize it. */
+      void
+      create();
 
       void
-      factorize(const unsigned int fiber);
+      clear();
+
+      /** Position in the matrix of the block of @p row and row + @p offset. */
+      std::size_t
+      position(const unsigned int row, const unsigned int offset) const
+      {
+        return row_begin[row] + rank_of_offset[kind(row)][offset];
+      }
+
+      /** Blocks of a node are of different kinds: position, section vectors. */
+      unsigned int
+      kind(const unsigned int row) const
+      {
+        return row % state.space.n_blocks_per_node();
+      }
+
+      /**
+       * Change what is added to the diagonal of a fiber, in parts of its
+       * largest entry.
+       */
+      void
+      shift(const unsigned int fiber, const double before, const double after);
+
+      /** The fibers that are not positive definite as factorized last. */
+      std::vector<unsigned int>
+      find_unstable() const;
 
       const System::State &state;
-      const unsigned int   bandwidth; /**< number of subdiagonals */
-      std::vector<double>  bands;     /**< LAPACK's lower band storage */
-      std::vector<double>  factors;
+      const unsigned int n_offsets; /**< blocks from the diagonal to the end */
+
+      /** Whether rows of a kind couple to the block so many further. */
+      std::vector<std::vector<bool>> coupled;
+
+      /** The how manieth of those that it couples to. */
+      std::vector<std::vector<unsigned int>> rank_of_offset;
+
+      std::vector<std::size_t> row_begin;
+      Mat                      matrix = nullptr;
+      Mat                      factor = nullptr;
+      Vec                      right  = nullptr;
+      Vec                      left   = nullptr;
     };
   } // namespace Solver
 } // namespace Heddle

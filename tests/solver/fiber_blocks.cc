@@ -1,0 +1,205 @@
+// Each fiber is solved for exactly, whatever it is coupled to; also when
+// contact couples more of its nodes than before. A fiber that is unstable on
+// its own is made stable, and no other one changes.
+#include <heddle/base/petsc.h>
+#include <heddle/simulation/fiber_placement.h>
+#include <heddle/solver/fiber_blocks.h>
+
+#include "../contributions/scene.h"
+#include <Eigen/Dense>
+
+#include <numeric>
+#include <random>
+
+constexpr unsigned int n_fibers = 3, n_elements = 6, unstable = 1;
+
+
+
+class Tangent : public Scene
+{
+public:
+  Tangent(const std::string &element, const unsigned int degree)
+  {
+    fibers.element_name       = element;
+    fibers.degree             = degree;
+    fibers.elements_per_fiber = n_elements;
+    std::vector<Textile::FiberPath> paths;
+    for (unsigned int f = 0; f < n_fibers; ++f)
+      {
+        const Tensor<1, 3> begin({0., double(f), 0.});
+        paths.push_back(straight_path(
+          begin,
+          begin + Tensor<1, 3>({6., 0., 0.}),
+          n_elements * (degree == 3 && element == "director" ? 3 : 1) + 1,
+          0.1));
+      }
+    build(paths);
+    system = std::make_unique<System::BlockSystem>(*state, /*symmetric=*/true);
+  }
+
+  /**
+   * Elements and neighbouring fibers and, if there is @p contact, the positions
+   * of four nodes in a row or, as with tangents, the blocks of two; of one
+   * fiber @p less is taken off the diagonal.
+   */
+  void
+  assemble(const bool contact, const double less)
+  {
+    System::BlockSystem::Pattern pattern(state->n_owned_blocks());
+    for_each_group(contact, [&](const std::vector<unsigned int> &blocks) {
+      pattern.couple(blocks.size(), blocks.data());
+    });
+    system->set_pattern(pattern);
+    system->set_constraints({});
+    system->begin(System::BlockSystem::Want::residual_and_tangent);
+    std::uniform_real_distribution<double> random(-1., 1.);
+    for_each_group(contact, [&](const std::vector<unsigned int> &blocks) {
+      const unsigned int  n = 3 * blocks.size();
+      std::vector<double> v(n), tangent(n * n), residual(n, 0.);
+      for (double &value : v)
+        value = random(generator);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          tangent[n * i + j] = v[i] * v[j];
+      system->add(
+        blocks.size(), blocks.data(), residual.data(), tangent.data());
+    });
+    for (unsigned int f = 0; f < n_fibers; ++f)
+      for (unsigned int b = 0; b < space->n_blocks(f); ++b)
+        system->add_diagonal(state->local_block(f) + b,
+                             0.1 - (f == unstable ? less : 0.));
+    system->end();
+  }
+
+  /** Rows and columns of one fiber. */
+  Eigen::MatrixXd
+  part(const unsigned int f) const
+  {
+    const unsigned int n     = 3 * space->n_blocks(f),
+                       begin = 3 * state->local_block(f);
+    Eigen::MatrixXd matrix(n, n);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        Vec unit = system->solution(), column = system->right_hand_side();
+        petsc(VecSet(unit, 0.));
+        petsc(VecSetValue(unit, begin + j, 1., INSERT_VALUES));
+        petsc(VecAssemblyBegin(unit));
+        petsc(VecAssemblyEnd(unit));
+        petsc(MatMult(system->tangent(), unit, column));
+        const double *entries;
+        petsc(VecGetArrayRead(column, &entries));
+        std::copy_n(entries + begin, n, matrix.col(j).data());
+        petsc(VecRestoreArrayRead(column, &entries));
+      }
+    return matrix;
+  }
+
+  std::unique_ptr<System::BlockSystem> system;
+  std::mt19937                         generator{1};
+
+private:
+  template <typename Action>
+  void
+  for_each_group(const bool contact, const Action &action) const
+  {
+    const unsigned int n = space->n_blocks_per_node();
+    for (unsigned int f = 0; f < n_fibers; ++f)
+      {
+        const unsigned int        first = state->local_block(f);
+        std::vector<unsigned int> element(space->element().n_blocks());
+        for (unsigned int e = 0; e < space->fiber(f).n_elements; ++e)
+          {
+            std::iota(element.begin(),
+                      element.end(),
+                      first + space->first_block_of_element(e));
+            // As many terms of rank one as there are unknowns.
+            for (unsigned int i = 0; i < 3 * element.size(); ++i)
+              action(element);
+          }
+        for (unsigned int i = 0; i + 3 < space->fiber(f).n_nodes && contact;
+             ++i)
+          {
+            const unsigned int next = n == 2 ? 1 : n, begin = first + n * i;
+            action(std::vector<unsigned int>{
+              begin, begin + next, begin + 2 * next, begin + 3 * next});
+          }
+        for (unsigned int i = 0; i < space->fiber(f).n_nodes; ++i)
+          if (f + 1 < n_fibers)
+            action(std::vector<unsigned int>{
+              first + n * i, first + space->n_blocks(f) + n * i});
+      }
+  }
+};
+
+
+
+/** Largest error of the solution of a fiber for a random right-hand side. */
+double
+error(const Eigen::MatrixXd     &matrix,
+      const Solver::FiberBlocks &fibers,
+      const System::State       &state,
+      const unsigned int         f)
+{
+  const unsigned int    begin = 3 * state.local_block(f);
+  const Eigen::VectorXd exact = Eigen::VectorXd::Random(matrix.rows());
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(3 * state.n_owned_blocks());
+  Eigen::VectorXd found(right.size());
+  right.segment(begin, exact.size()) = matrix * exact;
+  petsc(fibers.apply(right.data(), found.data()));
+  return (found.segment(begin, exact.size()) - exact).cwiseAbs().maxCoeff();
+}
+
+
+
+void
+check(const std::string &element, const unsigned int degree)
+{
+  Tangent             tangent(element, degree);
+  Solver::FiberBlocks fibers(*tangent.state);
+  for (const auto &[contact, less] :
+       {std::make_pair(false, 0.), {true, 0.}, {true, 5.}, {true, 0.}})
+    {
+      tangent.assemble(contact, less);
+      fibers.set_up(System::LocalBlocks(tangent.system->tangent()));
+      double largest = 0.;
+      for (unsigned int f = 0; f < n_fibers; ++f)
+        if (f != unstable || less == 0.)
+          largest = std::max(largest,
+                             error(tangent.part(f), fibers, *tangent.state, f));
+      deallog << element << " " << degree << (contact ? ", contact" : "")
+              << ": exact to 1e-9: " << (largest < 1e-9);
+      if (less > 0.)
+        {
+          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+            tangent.part(unstable));
+          bool stable = true;
+          for (unsigned int i = 0; i < 100; ++i)
+            {
+              Eigen::VectorXd right =
+                Eigen::VectorXd::Zero(3 * tangent.state->n_owned_blocks());
+              Eigen::VectorXd found(right.size());
+              const auto      n = modes.eigenvalues().size();
+              right.segment(3 * tangent.state->local_block(unstable), n) =
+                i < n ? Eigen::VectorXd(modes.eigenvectors().col(i))
+                      : Eigen::VectorXd::Random(n);
+              petsc(fibers.apply(right.data(), found.data()));
+              stable = stable && right.dot(found) > 0.;
+            }
+          deallog << ", one fiber has modes of negative stiffness: "
+                  << (modes.eigenvalues()[0] < 0.)
+                  << ", is made stable: " << stable;
+        }
+      deallog << std::endl;
+    }
+}
+
+
+
+int
+main(int argc, char **argv)
+{
+  MPITest test(argc, argv);
+  check("hermite", 3);
+  check("director", 1);
+  check("director", 3);
+}
