@@ -416,7 +416,7 @@ namespace Heddle
       // Measured with 6 000 to 270 000 unknowns on one rank, and met to a
       // third.
       const double n_dofs = fiber_space->n_dofs() + 3. * n_matrix_nodes;
-      return (will_be_factorized(n_matrix_nodes) ? 16e-6 : 8e-6) * n_dofs /
+      return (will_be_factorized(n_matrix_nodes) ? 16e-6 : 6e-6) * n_dofs /
              Utilities::MPI::n_mpi_processes(fiber_space->communicator());
     }
   } // namespace Simulation
