@@ -81,6 +81,8 @@ namespace Heddle
     void
     FiberBlocks::set_up(const System::LocalBlocks &tangent)
     {
+      if (state.n_owned_fiber_blocks() == 0)
+        return;
       if (find_couplings(tangent) || matrix == nullptr)
         create();
 
@@ -95,7 +97,6 @@ namespace Heddle
                          std::copy_n(
                            block, size, values + size * position(row, offset));
                      });
-
       petsc(MatSeqSBAIJRestoreArray(matrix, &values));
 
       // A compressed fiber may be unstable on its own: shift until it is not.
@@ -122,6 +123,8 @@ namespace Heddle
     PetscErrorCode
     FiberBlocks::apply(const double *residual, double *result) const
     {
+      if (state.n_owned_fiber_blocks() == 0)
+        return 0;
       PetscErrorCode code = VecPlaceArray(right, residual);
       code                = code != 0 ? code : VecPlaceArray(left, result);
       code                = code != 0 ? code : MatSolve(factor, right, left);

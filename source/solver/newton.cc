@@ -404,8 +404,9 @@ namespace Heddle
                    const Contributions     &contributions,
                    const System::Increment &guess)
     {
-      // Without rough terms Newton's method goes further in one step.
-      if (guess.empty() ||
+      // A rank without fibers has no part in a guess, but goes along. Without
+      // rough terms Newton's method goes further in one step.
+      if (Utilities::MPI::max(guess.empty() ? 0 : 1, communicator) == 0 ||
           std::none_of(contributions.begin(),
                        contributions.end(),
                        [](const auto &one) { return one->is_rough(); }))
