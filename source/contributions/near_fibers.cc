@@ -171,9 +171,7 @@ namespace Heddle
                const unsigned int              n_nodes)
     {
       for (System::GhostFiber &ghost : near)
-        ghost.nodes = {ghost.nodes.begin - std::min(n_nodes, ghost.nodes.begin),
-                       std::min(ghost.nodes.end + n_nodes,
-                                space.fiber(ghost.fiber).n_nodes)};
+        ghost.nodes = space.lengthened(ghost.fiber, ghost.nodes, n_nodes);
       return near;
     }
   } // namespace Contributions

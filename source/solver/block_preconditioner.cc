@@ -1,8 +1,6 @@
 #include <heddle/base/petsc.h>
 #include <heddle/solver/block_preconditioner.h>
 
-#include <algorithm>
-
 namespace Heddle
 {
   namespace Solver

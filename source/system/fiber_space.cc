@@ -223,9 +223,7 @@ namespace Heddle
     FiberSpace::nodes_below(const unsigned int f, const NodeRange &nodes) const
     {
       // See combine(): at the ends of a fiber the four nodes begin further in.
-      constexpr unsigned int more = 2;
-      return {nodes.begin - std::min(more, nodes.begin),
-              std::min(nodes.end + more, fibers[f].n_nodes)};
+      return lengthened(f, nodes, 2);
     }
 
 

@@ -147,8 +147,8 @@ check(const std::string &element, const unsigned int degree)
   for (unsigned int f = 0; f < n_fibers; ++f)
     for (unsigned int i = 0; i + 1 < space->fiber(f).n_nodes; ++i)
       {
-        const auto nodes = held_lines.nodes(f);
-        const bool known = i >= nodes.begin && i + 1 < nodes.end;
+        const auto knots = held_lines.curve(f).known;
+        const bool known = i >= knots.first && i + 1 < knots.second;
         if (!space->owns(f) && is_near(*space, lines, f, i))
           {
             ++n_near;

@@ -39,13 +39,6 @@ namespace Heddle
                 first_knots[f] + ranges[f].end - ranges[f].begin};
       }
 
-      /** The nodes of fiber @p f that these knots are at. */
-      const System::NodeRange &
-      nodes(const unsigned int f) const
-      {
-        return ranges[f];
-      }
-
       const std::vector<Tensor<1, 3>> &
       positions() const
       {

@@ -246,9 +246,19 @@ namespace Heddle
         return {0, fibers[f].n_nodes};
       }
 
+      /** @p nodes of fiber @p f and up to @p more on both sides of them. */
+      NodeRange
+      lengthened(const unsigned int f,
+                 const NodeRange   &nodes,
+                 const unsigned int more) const
+      {
+        return {nodes.begin - std::min(more, nodes.begin),
+                std::min(nodes.end + more, fibers[f].n_nodes)};
+      }
+
       /**
-       * Nodes of fiber @p f whose blocks the centerline between nodes @p begin
-       * and @p end - 1 is made of, and those of the sections there.
+       * Nodes of fiber @p f whose blocks the centerline from the first to the
+       * last of @p nodes is made of, and the sections there.
        */
       NodeRange
       nodes_below(const unsigned int f, const NodeRange &nodes) const;

@@ -23,12 +23,6 @@ namespace Heddle
       unsigned int fiber;
       NodeRange    nodes;
 
-      bool
-      operator==(const GhostFiber &other) const
-      {
-        return fiber == other.fiber && nodes == other.nodes;
-      }
-
       /** To be sent to other ranks. */
       template <class Archive>
       void
@@ -201,13 +195,6 @@ namespace Heddle
       ghost_version() const
       {
         return version;
-      }
-
-      /** Fibers whose copies are held, in ascending order. */
-      const std::vector<GhostFiber> &
-      ghost_fibers() const
-      {
-        return ghosts;
       }
 
       /**
