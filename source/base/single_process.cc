@@ -27,6 +27,9 @@ namespace Heddle
     constexpr int keep = 0;
     // The daemon would start further processes (MPI_Comm_spawn).
     setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+    // It would also have given each of these processes a folder of its own in
+    // /tmp; without it all would make and delete the same one.
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
     setenv("OMPI_MCA_pml", "ob1", keep);
     setenv("OMPI_MCA_btl", "self", keep);
   }

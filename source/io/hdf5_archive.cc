@@ -22,22 +22,33 @@ namespace Heddle
 
 
 
-        Hdf5Handle
-        collective_transfer()
+        /** One rank needs no MPI to read and write files. */
+        bool
+        by_mpi(const MPI_Comm communicator)
         {
-          const hid_t list = H5Pcreate(H5P_DATASET_XFER);
-          H5Pset_dxpl_mpio(list, H5FD_MPIO_COLLECTIVE);
-          return {list, H5Pclose, "prepare a collective transfer"};
+          return Utilities::MPI::n_mpi_processes(communicator) > 1;
         }
 
 
 
         Hdf5Handle
-        parallel_access(const MPI_Comm communicator)
+        file_access(const MPI_Comm communicator)
         {
           const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
-          H5Pset_fapl_mpio(list, communicator, MPI_INFO_NULL);
-          return {list, H5Pclose, "prepare parallel access to a file"};
+          if (by_mpi(communicator))
+            H5Pset_fapl_mpio(list, communicator, MPI_INFO_NULL);
+          return {list, H5Pclose, "prepare access to a file"};
+        }
+
+
+
+        Hdf5Handle
+        transfer(const MPI_Comm communicator)
+        {
+          const hid_t list = H5Pcreate(H5P_DATASET_XFER);
+          if (by_mpi(communicator))
+            H5Pset_dxpl_mpio(list, H5FD_MPIO_COLLECTIVE);
+          return {list, H5Pclose, "prepare a transfer"};
         }
 
 
@@ -107,7 +118,7 @@ namespace Heddle
       , communicator(communicator)
     {
       internal::Hdf5Archive::silence();
-      const auto access = internal::Hdf5Archive::parallel_access(communicator);
+      const auto access = internal::Hdf5Archive::file_access(communicator);
       file              = std::make_unique<Hdf5Handle>(
         H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
         H5Fclose,
@@ -143,7 +154,7 @@ namespace Heddle
       const hsize_t     all[2]   = {n_rows, n_columns};
       const hsize_t     mine[2]  = {n_my_rows, n_columns};
       const auto        groups   = helpers::with_groups();
-      const auto        transfer = helpers::collective_transfer();
+      const auto        transfer = helpers::transfer(communicator);
 
       const Hdf5Handle space(H5Screate_simple(2, all, nullptr), H5Sclose, what);
       const Hdf5Handle memory(
@@ -271,7 +282,7 @@ namespace Heddle
               "The checkpoint \"" + path +
                 "\" does not exist or is no complete HDF5 file.");
 
-      const auto access = internal::Hdf5Archive::parallel_access(communicator);
+      const auto access = internal::Hdf5Archive::file_access(communicator);
       file              = std::make_unique<Hdf5Handle>(
         H5Fopen(path.c_str(), H5F_ACC_RDONLY, access),
         H5Fclose,
@@ -341,7 +352,7 @@ namespace Heddle
 
       const std::string what     = "read \"" + name + "\" from " + path;
       const hsize_t     mine[2]  = {n_rows, n_columns};
-      const auto        transfer = helpers::collective_transfer();
+      const auto        transfer = helpers::transfer(communicator);
       const Hdf5Handle  data(
         H5Dopen2(*file, name.c_str(), H5P_DEFAULT), H5Dclose, what);
       const Hdf5Handle space(H5Dget_space(data), H5Sclose, what);

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <filesystem>
+#include <fstream>
 
 namespace Heddle
 {
@@ -53,7 +54,19 @@ namespace Heddle
       if (first_rank)
         create_folder(std::filesystem::path(path).parent_path().string());
       MPI_Barrier(communicator);
-      this->write_vtu_in_parallel(beside, communicator);
+      // One rank needs no MPI to write a file.
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        {
+          std::ofstream out(beside, std::ios::binary);
+          this->write_vtu(out);
+          out.flush();
+          AssertThrow(out.good(),
+                      ExcMessage("The file \"" + beside +
+                                 "\" cannot be written: is there space on "
+                                 "the disk?"));
+        }
+      else
+        this->write_vtu_in_parallel(beside, communicator);
       MPI_Barrier(communicator);
       if (first_rank)
         std::filesystem::rename(beside, path);

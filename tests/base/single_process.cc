@@ -18,14 +18,17 @@ value(const char *name)
 int
 main(int argc, char *argv[])
 {
-  for (const char *name :
-       {"OMPI_MCA_ess_singleton_isolated", "OMPI_MCA_pml", "OMPI_MCA_btl"})
+  for (const char *name : {"OMPI_MCA_ess_singleton_isolated",
+                           "OMPI_MCA_orte_create_session_dirs",
+                           "OMPI_MCA_pml",
+                           "OMPI_MCA_btl"})
     unsetenv(name);
   setenv("OMPI_MCA_btl", "self,tcp", 1);
   const MPITest mpi(argc, argv);
 
   deallog << "single: " << Heddle::is_single_process()
           << ", daemon spared: " << value("OMPI_MCA_ess_singleton_isolated")
+          << ", folder in /tmp: " << value("OMPI_MCA_orte_create_session_dirs")
           << ", networks: " << value("OMPI_MCA_pml") << " and "
           << value("OMPI_MCA_btl")
           << ", ranks: " << Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)

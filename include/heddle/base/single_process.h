@@ -16,7 +16,8 @@ namespace Heddle
    * the environment (OMPI_MCA_...) take precedence, and ranks of a launcher are
    * left as they are.
    *
-   * @note To be called before MPI is initialized.
+   * @note To be called before MPI is initialized. Such a process must not open
+   * files by MPI: there is no folder for what Open MPI writes down of them.
    */
   void
   spare_daemon_and_networks();
