@@ -73,6 +73,17 @@ namespace Heddle
 
 
 
+        /** Dates would make every file differ from the last run's. */
+        Hdf5Handle
+        without_dates()
+        {
+          const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+          H5Pset_obj_track_times(list, false);
+          return {list, H5Pclose, "prepare data"};
+        }
+
+
+
         /** The rows [first, first + n) of a data set; none if n is zero. */
         void
         select_rows(const hid_t         space,
@@ -154,6 +165,7 @@ namespace Heddle
       const hsize_t     all[2]   = {n_rows, n_columns};
       const hsize_t     mine[2]  = {n_my_rows, n_columns};
       const auto        groups   = helpers::with_groups();
+      const auto        undated  = helpers::without_dates();
       const auto        transfer = helpers::transfer(communicator);
 
       const Hdf5Handle space(H5Screate_simple(2, all, nullptr), H5Sclose, what);
@@ -161,7 +173,7 @@ namespace Heddle
         H5Screate_simple(2, mine, nullptr), H5Sclose, what);
       const Hdf5Handle data(
         H5Dcreate2(
-          *file, name.c_str(), type, space, groups, H5P_DEFAULT, H5P_DEFAULT),
+          *file, name.c_str(), type, space, groups, undated, H5P_DEFAULT),
         H5Dclose,
         what);
       if (n_rows == 0)
