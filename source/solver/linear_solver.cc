@@ -4,12 +4,19 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace Heddle
 {
   namespace Solver
   {
     namespace
     {
+      /** No tolerance of an iterative solver is looser. */
+      constexpr double loosest = 0.9;
+
+
+
       bool
       choose_direct(const LinearSolverParameters &parameters,
                     const System::BlockSystem    &system,
@@ -49,10 +56,11 @@ namespace Heddle
       add_parameter("Tolerance",
                     tolerance,
                     "Reduction of the residual's energy norm by an iterative "
-                    "solver in each Newton iteration. Inactive for 'direct' "
-                    "[-].",
+                    "solver in each Newton iteration; three times as much is "
+                    "left where friction is still to come. Inactive for "
+                    "'direct' [-].",
                     prm,
-                    Patterns::Double(1e-14, 0.9));
+                    Patterns::Double(1e-14, loosest));
       add_parameter(
         "Maximum iterations",
         max_iterations,
@@ -102,6 +110,7 @@ namespace Heddle
       preconditioner = std::make_unique<BlockPreconditioner>(system.state);
       preconditioner->attach_to(pc);
       petsc(KSPSetFromOptions(iterating));
+      petsc(KSPGetTolerances(iterating, &tolerance, nullptr, nullptr, nullptr));
     }
 
 
@@ -115,11 +124,13 @@ namespace Heddle
 
 
     LinearResult
-    LinearSolver::solve(const bool exactly, const bool yarn_motions)
+    LinearSolver::solve(const bool   exactly,
+                        const bool   yarn_motions,
+                        const double looser)
     {
       LinearResult result;
       if (!choose_direct(parameters, system, /*contact=*/!exactly) &&
-          (iterate(yarn_motions, result) || !exactly))
+          (iterate(yarn_motions, looser, result) || !exactly))
         return result;
       factorize(result);
       return result;
@@ -128,10 +139,17 @@ namespace Heddle
 
 
     bool
-    LinearSolver::iterate(const bool yarn_motions, LinearResult &result)
+    LinearSolver::iterate(const bool    yarn_motions,
+                          const double  looser,
+                          LinearResult &result)
     {
       if (!iterating)
         begin_iterating();
+      petsc(KSPSetTolerances(iterating,
+                             std::min(looser * tolerance, loosest),
+                             PETSC_DEFAULT,
+                             PETSC_DEFAULT,
+                             parameters.max_iterations));
       preconditioner->set_up(system.tangent(), yarn_motions);
       petsc(KSPSetOperators(iterating, system.tangent(), system.tangent()));
       petsc(KSPSolve(iterating, system.right_hand_side(), system.solution()));

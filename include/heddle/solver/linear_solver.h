@@ -76,10 +76,13 @@ namespace Heddle
        *
        * Without @p yarn_motions conjugate gradients are not helped to find how
        * whole yarns move: they then move less than they should, as if damped.
+       * Their tolerance is @p looser times the usual one.
        * @note Collective.
        */
       LinearResult
-      solve(const bool exactly, const bool yarn_motions = true);
+      solve(const bool   exactly,
+            const bool   yarn_motions = true,
+            const double looser       = 1.);
 
     private:
       void
@@ -87,7 +90,9 @@ namespace Heddle
 
       /** Return whether it converged. */
       bool
-      iterate(const bool yarn_motions, LinearResult &result);
+      iterate(const bool    yarn_motions,
+              const double  looser,
+              LinearResult &result);
 
       void
       factorize(LinearResult &result);
@@ -96,6 +101,7 @@ namespace Heddle
       const System::BlockSystem           &system;
       KSP                                  iterating   = nullptr;
       KSP                                  factorizing = nullptr;
+      double                               tolerance   = 0.; /**< usual [-] */
       std::unique_ptr<BlockPreconditioner> preconditioner;
     };
   } // namespace Solver
