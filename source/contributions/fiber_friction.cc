@@ -139,7 +139,7 @@ namespace Heddle
         {
           terms.begin(element.n_blocks, element.blocks.data());
           const FrictionElement::Derivative by(element);
-          const Tensor<1, 3> u     = element.displacement(by, state.current());
+          const Tensor<1, 3> u     = element.displacement(state.current());
           const Tensor<1, 3> force = element.law.force(u);
           const unsigned int n     = 3 * element.n_blocks;
           const double       along = force * element.axes[0],
@@ -180,9 +180,8 @@ namespace Heddle
       for (const Element &element : elements)
         if (space.owns(element.fiber_a))
           {
-            const FrictionElement::Derivative by(element);
-            const Tensor<1, 3> u = element.displacement(by, state.current());
-            const Tensor<1, 3> motion = element.change(by, increment);
+            const Tensor<1, 3> u      = element.displacement(state.current());
+            const Tensor<1, 3> motion = element.change(increment);
             slope += element.law.force(u) * motion;
             curvature +=
               motion * (element.law.stiffness(u, element.normal) * motion);

@@ -169,7 +169,7 @@ namespace Heddle
       offset -= (offset * normal) * normal;
 
       lean(motion, share);
-      const auto linear = components(Derivative(*this), state.current());
+      const auto linear = components(state.current());
       for (unsigned int k = 0; k < 2; ++k)
         offset -= linear[k] * axes[k];
     }
@@ -223,35 +223,27 @@ namespace Heddle
 
 
     std::array<double, 2>
-    FrictionElement::components(const Derivative &derivative,
-                                const Values     &values) const
+    FrictionElement::components(const Values &values) const
     {
-      std::array<double, 2> sums = {};
-      for (unsigned int k = 0; k < 2; ++k)
-        for (unsigned int i = 0; i < n_blocks; ++i)
-          for (unsigned int d = 0; d < 3; ++d)
-            sums[k] += derivative.rows[k][3 * i + d] * values[blocks[i]][d];
+      // The same as by the derivative, in a third of the operations.
+      const Tensor<1, 3>    apart = separation(values);
+      std::array<double, 2> sums  = {
+         {by_separation[0] * apart, by_separation[1] * apart}};
+      if (!on_axes())
+        return sums;
+      for (unsigned int i = 0; i < n_blocks; ++i)
+        for (unsigned int k = 0; k < 2; ++k)
+          sums[k] += slopes[i] * (by_tangent[i / 4][k] * values[blocks[i]]);
       return sums;
     }
 
 
 
     Tensor<1, 3>
-    FrictionElement::change(const Derivative &derivative,
-                            const Values     &values) const
+    FrictionElement::change(const Values &values) const
     {
-      const auto moved = components(derivative, values);
+      const auto moved = components(values);
       return moved[0] * axes[0] + moved[1] * axes[1];
-    }
-
-
-
-    Tensor<1, 3>
-    FrictionElement::displacement(const Derivative &derivative,
-                                  const Values     &values) const
-    {
-      const auto moved = components(derivative, values);
-      return offset + moved[0] * axes[0] + moved[1] * axes[1];
     }
 
 
@@ -259,7 +251,7 @@ namespace Heddle
     Tensor<1, 3>
     FrictionElement::displacement(const Values &values) const
     {
-      return displacement(Derivative(*this), values);
+      return offset + change(values);
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -149,19 +149,19 @@ namespace Heddle
       for (unsigned int r = 0; r < 2; ++r)
         for (unsigned int c = 0; c < 2; ++c)
           {
+            // The lower half is enough: a block above it stands for its
+            // transpose there, and one on the diagonal for both.
             const double        weight = of_row[r] * of_column[c];
             const std::uint64_t i = row.station + r, j = column.station + c;
-            if (weight == 0.)
+            const bool          as_it_is = i >= j, transposed = twice && i <= j;
+            if (weight == 0. || (!as_it_is && !transposed))
               continue;
-            std::array<double, 9> &sum = coarse[i * n_all_stations + j];
+            std::array<double, 9> &sum =
+              coarse[std::max(i, j) * n_all_stations + std::min(i, j)];
             for (unsigned int k = 0; k < 9; ++k)
-              sum[k] += weight * block[k];
-            if (twice)
-              {
-                std::array<double, 9> &other = coarse[j * n_all_stations + i];
-                for (unsigned int k = 0; k < 9; ++k)
-                  other[k] += weight * block[3 * (k % 3) + k / 3];
-              }
+              sum[k] +=
+                weight * ((as_it_is ? block[k] : 0.) +
+                          (transposed ? block[3 * (k % 3) + k / 3] : 0.));
           }
     }
 
@@ -210,7 +210,8 @@ namespace Heddle
     void
     YarnMotions::factorize(const CoarseBlocks &coarse)
     {
-      // All ranks add in the same order, and so hold the same factors.
+      // All ranks add in the same order, and so hold the same factors, which
+      // are computed from the lower half.
       std::vector<Eigen::Triplet<double>> entries;
       for (const CoarseBlocks &part :
            Utilities::MPI::all_gather(state.space.communicator(), coarse))

@@ -90,13 +90,9 @@ namespace Heddle
 
       /** Change of the displacement with the motion @p values of blocks. */
       Tensor<1, 3>
-      change(const Derivative &derivative, const Values &values) const;
+      change(const Values &values) const;
 
       /** Displacement in the configuration @p values [mm]. */
-      Tensor<1, 3>
-      displacement(const Derivative &derivative, const Values &values) const;
-
-      /** The same where the derivative serves for nothing else. */
       Tensor<1, 3>
       displacement(const Values &values) const;
 
@@ -135,7 +131,7 @@ namespace Heddle
 
       /** Both components of a change. */
       std::array<double, 2>
-      components(const Derivative &derivative, const Values &values) const;
+      components(const Values &values) const;
 
       /** How the blocks make up the separation of the particles [-, mm]. */
       std::array<double, max_blocks> weights;

@@ -56,7 +56,10 @@ namespace Heddle
         double       here, next;
       };
 
-      /** By two stations: the 3x3 block between them, column by column. */
+      /**
+       * By two stations, the first of which is not before the second: the 3x3
+       * block between them, column by column.
+       */
       using CoarseBlocks =
         std::unordered_map<std::uint64_t, std::array<double, 9>>;
 
