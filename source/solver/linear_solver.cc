@@ -149,7 +149,7 @@ namespace Heddle
                              std::min(looser * tolerance, loosest),
                              PETSC_DEFAULT,
                              PETSC_DEFAULT,
-                             parameters.max_iterations));
+                             PETSC_DEFAULT));
       preconditioner->set_up(system.tangent(), yarn_motions);
       petsc(KSPSetOperators(iterating, system.tangent(), system.tangent()));
       petsc(KSPSolve(iterating, system.right_hand_side(), system.solution()));
