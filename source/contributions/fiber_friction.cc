@@ -71,6 +71,8 @@ namespace Heddle
       element.law = {coefficient * touching.force,
                      parameters.reversible_displacement * radius};
 
+      element.limit_stiffness = coefficient * contact.stiffness(touching);
+
       const auto left       = memory.at(touching, 0.5 * radius);
       element.energy_before = element.law.energy_ratio(left.displacement);
       element.set_displacement(state,
@@ -165,9 +167,42 @@ namespace Heddle
                   for (unsigned int j = 0; j < n; ++j)
                     row[j] += by_along[i] * f[j] + by_across[i] * g[j];
                 }
+              if (element.limit_stiffness > 0.)
+                add_change_of_limit(element, by, u, system.unsymmetric_terms());
             }
         }
       terms.end();
+    }
+
+
+
+    void
+    FiberFriction::add_change_of_limit(const Element &element,
+                                       const FrictionElement::Derivative &by,
+                                       const Tensor<1, 3>                &u,
+                                       System::UnsymmetricTerms &terms) const
+    {
+      // The wider the gap, the less friction, in its direction.
+      const Tensor<1, 3> less =
+        -element.limit_stiffness * element.law.part_of_limit(u);
+      const double along  = less * element.axes[0],
+                   across = less * element.axes[1];
+      terms.add_term();
+      for (unsigned int i = 0; i < element.n_blocks; ++i)
+        {
+          Tensor<1, 3> value;
+          for (unsigned int d = 0; d < 3; ++d)
+            value[d] =
+              along * by.rows[0][3 * i + d] + across * by.rows[1][3 * i + d];
+          terms.add_force(element.blocks[i], value);
+        }
+      for (unsigned int side = 0; side < 2; ++side)
+        for (unsigned int i = 0; i < 4; ++i)
+          {
+            const unsigned int k = side * (element.n_blocks / 2) + i;
+            terms.add_motion(element.blocks[k],
+                             element.weight_of(k) * element.normal);
+          }
     }
 
 

@@ -2,6 +2,7 @@
 #include <heddle/system/block_system.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <numeric>
@@ -182,6 +183,7 @@ namespace Heddle
       if (wants_tangent())
         {
           lifting.assign(state.n_owned_blocks(), Tensor<1, 3>());
+          unsymmetric.clear();
           // PETSc zeroes assembled matrices only: finish what was not.
           own.reset();
           petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
@@ -396,6 +398,10 @@ namespace Heddle
       if (!wants_tangent())
         return;
 
+      any_unsymmetric = Utilities::MPI::max(unsymmetric.empty() ? 0 : 1,
+                                            state.space.communicator()) > 0;
+      lift_unsymmetric();
+
       // The right-hand side in the frames of the constraints; a prescribed
       // component has the equation 1 * motion = pending.
       double *values;
@@ -424,6 +430,65 @@ namespace Heddle
       own.reset();
       petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
       petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+    }
+
+
+
+    void
+    BlockSystem::lift_unsymmetric()
+    {
+      if (!any_unsymmetric)
+        return;
+      motion.assign(state.n_local_blocks(), Tensor<1, 3>());
+      for (const Constraint &constraint : constraints)
+        for (unsigned int d = 0; d < 3; ++d)
+          if (constraint.fixed[d])
+            motion[constraint.block] +=
+              constraint.pending[d] * constraint.frame[d];
+      raised.assign(state.n_owned_blocks(), Tensor<1, 3>());
+      unsymmetric.add_product(motion, raised);
+      for (const Constraint &constraint : constraints)
+        if (constraint.block < raised.size())
+          raised[constraint.block] =
+            constraint.frame * raised[constraint.block];
+      for (unsigned int b = 0; b < raised.size(); ++b)
+        lifting[b] += raised[b];
+    }
+
+
+
+    void
+    BlockSystem::add_unsymmetric_product(const double *vector,
+                                         double       *product) const
+    {
+      // Prescribed components have no part in it: what they raise is lifted.
+      const auto free_part = [](const Constraint &constraint,
+                                Tensor<1, 3>      values) {
+        for (unsigned int d = 0; d < 3; ++d)
+          values[d] = constraint.fixed[d] ? 0. : values[d];
+        return values;
+      };
+      const unsigned int n_owned = state.n_owned_blocks();
+      motion.resize(state.n_local_blocks());
+      for (unsigned int b = 0; b < n_owned; ++b)
+        for (unsigned int d = 0; d < 3; ++d)
+          motion[b][d] = vector[3 * b + d];
+      for (const Constraint &constraint : constraints)
+        if (constraint.block < n_owned)
+          motion[constraint.block] =
+            transpose(constraint.frame) *
+            free_part(constraint, motion[constraint.block]);
+      state.update_ghosts(motion);
+
+      raised.assign(n_owned, Tensor<1, 3>());
+      unsymmetric.add_product(motion, raised);
+      for (const Constraint &constraint : constraints)
+        if (constraint.block < n_owned)
+          raised[constraint.block] =
+            free_part(constraint, constraint.frame * raised[constraint.block]);
+      for (unsigned int b = 0; b < n_owned; ++b)
+        for (unsigned int d = 0; d < 3; ++d)
+          product[3 * b + d] += raised[b][d];
     }
 
 

@@ -29,7 +29,14 @@ namespace Heddle
       Tensor<1, 3>
       force(const Tensor<1, 3> &u) const
       {
-        return limit / std::max(u.norm(), reversible) * u;
+        return limit * part_of_limit(u);
+      }
+
+      /** @return t over the limit, [-]. */
+      Tensor<1, 3>
+      part_of_limit(const Tensor<1, 3> &u) const
+      {
+        return u / std::max(u.norm(), reversible);
       }
 
       /** @return dt/du in the plane with unit normal @p normal, [N/mm]. */

@@ -112,11 +112,24 @@ namespace Heddle
 
         /** Energy that the last step left, over the limit [mm]. */
         double energy_before;
+
+        /** How the limit falls while the gap opens [N/mm]. */
+        double limit_stiffness;
       };
 
       /** Take particles, normals and forces from the contact as it is. */
       void
       place_elements(const System::State &state);
+
+      /**
+       * Add how the force of @p element, with the displacement @p u, follows
+       * the normal force.
+       */
+      void
+      add_change_of_limit(const Element                     &element,
+                          const FrictionElement::Derivative &by,
+                          const Tensor<1, 3>                &u,
+                          System::UnsymmetricTerms          &terms) const;
 
       Element
       make_element(const System::State           &state,

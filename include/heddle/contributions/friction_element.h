@@ -96,6 +96,13 @@ namespace Heddle
       Tensor<1, 3>
       displacement(const Values &values) const;
 
+      /** How block @p i moves the particles apart; of the axes all do [-]. */
+      double
+      weight_of(const unsigned int i) const
+      {
+        return weights[i];
+      }
+
       unsigned int fiber_a, fiber_b;
       int          orientation;
       unsigned int n_blocks;

@@ -2,6 +2,7 @@
 #define heddle_solver_linear_solver_h
 
 #include <heddle/solver/block_preconditioner.h>
+#include <heddle/solver/tangent_operator.h>
 #include <heddle/system/block_system.h>
 
 #include <deal.II/base/parameter_acceptor.h>
@@ -45,15 +46,17 @@ namespace Heddle
     /** How the linear system of a Newton iteration was solved. */
     struct LinearResult
     {
-      unsigned int iterations     = 0; /**< of conjugate gradients */
+      unsigned int iterations     = 0; /**< of an iterative solver */
       unsigned int factorizations = 0;
       bool         singular       = false; /**< then there is no solution */
     };
 
     /**
      * Solver of the linear systems of one BlockSystem: a sparse factorization
-     * by MUMPS (LDL^T if the system is symmetric, else LU), or conjugate
-     * gradients with BlockPreconditioner.
+     * by MUMPS (LDL^T if the matrix is symmetric, else LU), or conjugate
+     * gradients with BlockPreconditioner. Where the tangent has unsymmetric
+     * terms beside its matrix, GMRES goes on from what these have found, if
+     * that is not good enough: as a rule it is.
      */
     class LinearSolver
     {
@@ -68,7 +71,8 @@ namespace Heddle
       operator=(const LinearSolver &) = delete;
 
       /**
-       * Solve system.tangent() * system.solution() = system.right_hand_side().
+       * Solve system.tangent() * system.solution() = system.right_hand_side(),
+       * with the unsymmetric terms if there are any.
        * Where conjugate gradients do not converge, since the tangent is not
        * positive definite or in too many iterations, they hand over what they
        * have, or, if it is to be solved @p exactly, it is factorized. That is
@@ -94,12 +98,23 @@ namespace Heddle
               const double  looser,
               LinearResult &result);
 
+      /** Return whether @p solver, as it is set up, converged. */
+      bool
+      run(KSP solver, const double tolerance, LinearResult &result);
+
+      /** What the solution leaves of the right-hand side, in the energy norm.
+       */
+      double
+      part_left() const;
+
       void
       factorize(LinearResult &result);
 
       const LinearSolverParameters        &parameters;
       const System::BlockSystem           &system;
+      const TangentOperator                whole;
       KSP                                  iterating   = nullptr;
+      KSP                                  improving   = nullptr;
       KSP                                  factorizing = nullptr;
       double                               tolerance   = 0.; /**< usual [-] */
       std::unique_ptr<BlockPreconditioner> preconditioner;

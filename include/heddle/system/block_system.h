@@ -3,6 +3,7 @@
 
 #include <heddle/system/local_blocks.h>
 #include <heddle/system/state.h>
+#include <heddle/system/unsymmetric_terms.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -134,6 +135,16 @@ namespace Heddle
               const unsigned int *columns,
               const Tensor<2, 3> *values);
 
+      /**
+       * Terms of the tangent that are no part of the matrix, to be added to by
+       * all ranks that hold their blocks, where a tangent is wanted.
+       */
+      UnsymmetricTerms &
+      unsymmetric_terms()
+      {
+        return unsymmetric;
+      }
+
       /** Add to the residual of an owned block. */
       void
       add_force(const unsigned int block, const Tensor<1, 3> &force)
@@ -173,6 +184,21 @@ namespace Heddle
         return matrix;
       }
 
+      /** Whether any rank has terms that tangent() lacks. */
+      bool
+      has_unsymmetric_terms() const
+      {
+        return any_unsymmetric;
+      }
+
+      /**
+       * Add to @p product what those terms make of @p vector, both in the
+       * layout of the tangent.
+       * @note Collective.
+       */
+      void
+      add_unsymmetric_product(const double *vector, double *product) const;
+
       /** Vectors in the layout of the tangent, for the solver. */
       Vec
       right_hand_side() const
@@ -210,8 +236,16 @@ namespace Heddle
                 const unsigned int *blocks,
                 double             *tangent);
 
+      /** Take what prescribed motion raises there to the right-hand side. */
+      void
+      lift_unsymmetric();
+
       const bool symmetric;
       Want       want = Want::residual;
+
+      UnsymmetricTerms                  unsymmetric;
+      bool                              any_unsymmetric = false;
+      mutable std::vector<Tensor<1, 3>> motion, raised; /**< by these terms */
 
       std::vector<Tensor<1, 3>> forces;
       std::vector<Tensor<1, 3>> lifting; /**< tangent times pending motion */

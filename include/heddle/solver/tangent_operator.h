@@ -1,0 +1,43 @@
+#ifndef heddle_solver_tangent_operator_h
+#define heddle_solver_tangent_operator_h
+
+#include <heddle/system/block_system.h>
+
+#include <petscmat.h>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    /**
+     * The whole tangent of a BlockSystem, its matrix and its unsymmetric terms,
+     * for solvers that only multiply with it.
+     */
+    class TangentOperator
+    {
+    public:
+      TangentOperator(const System::BlockSystem &system);
+
+      ~TangentOperator();
+
+      TangentOperator(const TangentOperator &) = delete;
+      TangentOperator &
+      operator=(const TangentOperator &) = delete;
+
+      Mat
+      matrix() const
+      {
+        return shell;
+      }
+
+    private:
+      static PetscErrorCode
+      multiply(Mat shell, Vec vector, Vec product);
+
+      const System::BlockSystem &system;
+      Mat                        shell = nullptr;
+    };
+  } // namespace Solver
+} // namespace Heddle
+
+#endif
