@@ -49,9 +49,14 @@ namespace Heddle
       // Contact places its elements anew wherever fibers have moved.
       if (placement == contact.placement())
         return;
+      const auto touches = [](const Contact::ContactElement &touching) {
+        return touching.force > 0.;
+      };
       elements.clear();
+      elements.reserve(std::count_if(
+        contact.elements().begin(), contact.elements().end(), touches));
       for (const Contact::ContactElement &touching : contact.elements())
-        if (touching.force > 0.)
+        if (touches(touching))
           elements.push_back(make_element(state, touching));
       placement = contact.placement();
     }
@@ -136,6 +141,11 @@ namespace Heddle
     {
       Assert(ghost_version == state.ghost_version(),
              ExcMessage("Elements have the numbers that blocks had before."));
+      if (system.wants_tangent() && !elements.empty())
+        system.unsymmetric_terms().reserve(
+          elements.size(),
+          elements.size() * elements.front().n_blocks,
+          elements.size() * FrictionElement::n_axis_blocks);
       SummedTerms terms(system);
       for (const Element &element : elements)
         {
@@ -197,7 +207,7 @@ namespace Heddle
           terms.add_force(element.blocks[i], value);
         }
       for (unsigned int side = 0; side < 2; ++side)
-        for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int i = 0; i < FrictionElement::n_axis_blocks / 2; ++i)
           {
             const unsigned int k = side * (element.n_blocks / 2) + i;
             terms.add_motion(element.blocks[k],

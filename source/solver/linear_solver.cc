@@ -22,13 +22,13 @@ namespace Heddle
        * all iterations of the paper's fabrics, and hardly ever where bundles
        * slide over each other (doc/benchmarks.md).
        */
-      constexpr double good_enough = 0.2;
+      constexpr double good_enough = 0.3;
 
       /**
        * Tolerance of GMRES, which goes by the motion that the residual makes
        * and not by its energy, over that of conjugate gradients.
        */
-      constexpr double stricter = 0.03;
+      constexpr double stricter = 0.1;
 
       /** Vectors that GMRES keeps. */
       constexpr unsigned int n_kept = 60;

@@ -15,6 +15,18 @@ namespace Heddle
 
 
     void
+    UnsymmetricTerms::reserve(const std::size_t n_terms,
+                              const std::size_t n_forces,
+                              const std::size_t n_motions)
+    {
+      terms.reserve(n_terms);
+      forces.reserve(n_forces);
+      motions.reserve(n_motions);
+    }
+
+
+
+    void
     UnsymmetricTerms::add_term()
     {
       terms.push_back({static_cast<unsigned int>(forces.size()),

@@ -27,6 +27,9 @@ namespace Heddle
       /** Of two fibers: four of the axis, four of the section, on each. */
       static constexpr unsigned int max_blocks = 16;
 
+      /** Blocks of the axes, half of them of each fiber. */
+      static constexpr unsigned int n_axis_blocks = 8;
+
       /** Motion of all blocks that the rank holds, or their configuration. */
       using Values = std::vector<Tensor<1, 3>>;
 

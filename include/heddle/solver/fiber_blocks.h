@@ -1,11 +1,11 @@
 #ifndef heddle_solver_fiber_blocks_h
 #define heddle_solver_fiber_blocks_h
 
+#include <heddle/solver/cholesky_blocks.h>
 #include <heddle/system/local_blocks.h>
 #include <heddle/system/state.h>
 
-#include <petscmat.h>
-
+#include <memory>
 #include <vector>
 
 namespace Heddle
@@ -19,19 +19,14 @@ namespace Heddle
      * band holds the elasticity of the fiber and what contact and links to a
      * matrix add to it; coupling to other fibers and to the matrix is left out.
      *
-     * All fibers are one sparse matrix of blocks of three, without coupling
-     * between them, that PETSc factorizes exactly in its own order.
+     * A few fibers at a time are one sparse matrix of blocks of three, without
+     * coupling between them: their factors fit into the cache, so that a
+     * solution reads them from memory once and not twice.
      */
     class FiberBlocks
     {
     public:
       FiberBlocks(const System::State &state);
-
-      ~FiberBlocks();
-
-      FiberBlocks(const FiberBlocks &) = delete;
-      FiberBlocks &
-      operator=(const FiberBlocks &) = delete;
 
       /** Take the blocks from a tangent and factorize them. */
       void
@@ -42,28 +37,44 @@ namespace Heddle
       apply(const double *residual, double *result) const;
 
     private:
+      /** Fibers that are factorized together. */
+      struct Group
+      {
+        unsigned int                    first_fiber, end_fiber, first_row;
+        std::unique_ptr<CholeskyBlocks> blocks;
+      };
+
       /** Call @p action(row, offset, values) for the blocks within bands. */
       template <typename Action>
       void
       for_each_block(const System::LocalBlocks &tangent,
+                     const unsigned int         first_fiber,
+                     const unsigned int         end_fiber,
                      const Action              &action) const;
 
       /** Note which blocks a tangent couples; return whether there are more. */
       bool
       find_couplings(const System::LocalBlocks &tangent);
 
-      /** Make the matrix, of zeros, and choose how to factorize it. */
+      /** Make the groups and their matrices. */
       void
       create();
 
       void
-      clear();
+      add_group(const unsigned int first_fiber, const unsigned int end_fiber);
 
-      /** Position in the matrix of the block of @p row and row + @p offset. */
+      /** Factorize @p group, with shifts if it must be. */
+      void
+      factorize(Group &group);
+
+      /** Position in its group of the block of @p row and row + @p offset. */
       std::size_t
-      position(const unsigned int row, const unsigned int offset) const
+      position(const Group       &group,
+               const unsigned int row,
+               const unsigned int offset) const
       {
-        return row_begin[row] + rank_of_offset[kind(row)][offset];
+        return row_begin[row] - row_begin[group.first_row] +
+               rank_of_offset[kind(row)][offset];
       }
 
       /** Blocks of a node are of different kinds: position, section vectors. */
@@ -78,11 +89,14 @@ namespace Heddle
        * largest entry.
        */
       void
-      shift(const unsigned int fiber, const double before, const double after);
+      shift(Group             &group,
+            const unsigned int fiber,
+            const double       before,
+            const double       after);
 
       /** The fibers that are not positive definite as factorized last. */
       std::vector<unsigned int>
-      find_unstable() const;
+      find_unstable(const Group &group) const;
 
       const System::State &state;
       const unsigned int n_offsets; /**< blocks from the diagonal to the end */
@@ -94,10 +108,7 @@ namespace Heddle
       std::vector<std::vector<unsigned int>> rank_of_offset;
 
       std::vector<std::size_t> row_begin;
-      Mat                      matrix = nullptr;
-      Mat                      factor = nullptr;
-      Vec                      right  = nullptr;
-      Vec                      left   = nullptr;
+      std::vector<Group>       groups;
     };
   } // namespace Solver
 } // namespace Heddle

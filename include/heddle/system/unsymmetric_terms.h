@@ -30,6 +30,12 @@ namespace Heddle
       void
       clear();
 
+      /** Have room for so many terms, and blocks of their vectors. */
+      void
+      reserve(const std::size_t n_terms,
+              const std::size_t n_forces,
+              const std::size_t n_motions);
+
       bool
       empty() const
       {
