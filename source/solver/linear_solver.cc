@@ -18,9 +18,9 @@ namespace Heddle
 
       /**
        * Conjugate gradients, which leave the unsymmetric terms out, are good
-       * enough if no more of the right-hand side is left. They are in nearly
-       * all iterations of the paper's fabrics, and hardly ever where bundles
-       * slide over each other (doc/benchmarks.md).
+       * enough if no more of the right-hand side is left. They are as long as
+       * little slips, and often not where bundles slide over each other
+       * (doc/benchmarks.md).
        */
       constexpr double good_enough = 0.3;
 

@@ -56,7 +56,7 @@ namespace Heddle
      * by MUMPS (LDL^T if the matrix is symmetric, else LU), or conjugate
      * gradients with BlockPreconditioner. Where the tangent has unsymmetric
      * terms beside its matrix, GMRES goes on from what these have found, if
-     * that is not good enough: as a rule it is.
+     * that is not good enough.
      */
     class LinearSolver
     {
