@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace Heddle
@@ -60,8 +61,16 @@ namespace Heddle
       /** A guess that misses more than this of what is prescribed is none. */
       constexpr double largest_miss = 0.5;
 
-      /** Forces below this part of the axial stiffness are round-off. */
+      /** Parts of a step below this are round-off. */
       constexpr double round_off = 1e-13;
+
+      /**
+       * So much of the size of a scene are positions off in a solved system,
+       * for they have no more digits: the last one, and some more by the
+       * solver.
+       */
+      constexpr double last_digits =
+        32. * std::numeric_limits<double>::epsilon();
     } // namespace
 
 
@@ -130,13 +139,22 @@ namespace Heddle
       linear_solver =
         std::make_unique<LinearSolver>(linear_parameters, *block_system);
       damping = std::make_unique<FiberDamping>(state.space, parameters.damping);
-      length_scale = state.space.fiber(0).radius;
+      length_scale    = state.space.fiber(0).radius;
+      double stiffest = 0.;
       for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
         {
           const System::Fiber &fiber = state.space.fiber(f);
           length_scale               = std::min(length_scale, fiber.radius);
-          stiffest                   = std::max(stiffest, fiber.section.axial);
+          stiffest =
+            std::max(stiffest,
+                     fiber.section.axial * (fiber.n_nodes - 1) / fiber.length);
         }
+      double size = 0.;
+      for (unsigned int b = 0; b < state.n_owned_fiber_blocks();
+           b += state.space.n_blocks_per_node())
+        size = std::max(size, state.current()[b].norm());
+      negligible_force =
+        last_digits * stiffest * Utilities::MPI::max(size, communicator);
     }
 
 
@@ -404,7 +422,7 @@ namespace Heddle
     Newton::judge(const Contributions &contributions) const
     {
       return Solver::judge(
-        *block_system, contributions, constraints, round_off * stiffest);
+        *block_system, contributions, constraints, negligible_force);
     }
 
 

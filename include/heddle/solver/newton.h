@@ -183,7 +183,7 @@ namespace Heddle
       std::vector<System::BlockSystem::Constraint> constraints;
       double                                       softness     = 0.;
       double                                       length_scale = 1.;
-      double                                       stiffest = 0.; /**< EA [N] */
+      double negligible_force = 0.; /**< below are last digits [N] */
     };
   } // namespace Solver
 } // namespace Heddle
