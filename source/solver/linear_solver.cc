@@ -22,7 +22,7 @@ namespace Heddle
        * little slips, and often not where bundles slide over each other
        * (doc/benchmarks.md).
        */
-      constexpr double good_enough = 0.3;
+      constexpr double good_enough = 0.4;
 
       /**
        * Tolerance of GMRES, which goes by the motion that the residual makes
