@@ -145,9 +145,8 @@ namespace Heddle
         {
           const System::Fiber &fiber = state.space.fiber(f);
           length_scale               = std::min(length_scale, fiber.radius);
-          stiffest =
-            std::max(stiffest,
-                     fiber.section.axial * (fiber.n_nodes - 1) / fiber.length);
+          stiffest                   = std::max(
+            stiffest, fiber.section.axial * (fiber.n_nodes - 1) / fiber.length);
         }
       double size = 0.;
       for (unsigned int b = 0; b < state.n_owned_fiber_blocks();
