@@ -20,6 +20,10 @@ namespace Heddle
       /** Largest factor by which a penalty grows at once. */
       constexpr double largest_growth = 4.;
 
+      /** Penetrations that do not follow the penalty are taken for this power.
+       */
+      constexpr double least_power = 0.1;
+
       /**
        * Fibers at an angle touch over a small part of the length over which
        * parallel ones do, and carry as much: their first penalty is so many
@@ -70,6 +74,31 @@ namespace Heddle
       factor_if_kept(const double cosine)
       {
         return cosine < 0. ? std::sqrt((1. - cosine) / (1. + cosine)) : 1.;
+      }
+
+
+
+      /**
+       * By how much a penalty is to be raised for a penetration, in radii, to
+       * come to the one that is wanted. The penetration goes like a power of
+       * the penalty: the first where the force is given, hardly at all where
+       * stiff neighbours prescribe how near the fibers are. Which one, tells
+       * what the penalty was raised by before.
+       */
+      double
+      growth_of_penalty(const ContactCell &cell,
+                        const double       penetration,
+                        const double       wanted)
+      {
+        const double power =
+          cell.raised_by > 1.
+            ? std::clamp(std::log(cell.raised_for / penetration) /
+                           std::log(cell.raised_by),
+                         least_power,
+                         1.)
+            : 1.;
+        return std::min(std::pow(penetration / wanted, 1. / power),
+                        largest_growth);
       }
 
 
@@ -127,7 +156,7 @@ namespace Heddle
     ContactCells::accept()
     {
       for (ContactCell &cell : all_cells)
-        cell.hardened = 1.;
+        cell.hardened = cell.raised_by = 1.;
     }
 
 
@@ -360,9 +389,11 @@ namespace Heddle
           if (is_covered(cell, size, first_of_pair, first_of_zone))
             continue;
           const ContactCell *old = stiffest(cell, whole, old_cells);
-          cell.penalty  = old ? old->penalty / old->kept * cell.kept : 0.;
-          cell.hardened = old ? old->hardened : 1.;
-          known_penalty = std::max(known_penalty, cell.penalty);
+          cell.penalty    = old ? old->penalty / old->kept * cell.kept : 0.;
+          cell.hardened   = old ? old->hardened : 1.;
+          cell.raised_by  = old ? old->raised_by : 1.;
+          cell.raised_for = old ? old->raised_for : 0.;
+          known_penalty   = std::max(known_penalty, cell.penalty);
           all_cells.push_back(cell);
         }
 
@@ -623,13 +654,16 @@ namespace Heddle
     {
       for (ContactCell &cell : all_cells)
         {
-          const Zone  &zone  = all_zones[cell.zone];
-          const double ratio = zone.penetration / (threshold * zone.radius);
-          if (ratio > near)
+          const Zone  &zone        = all_zones[cell.zone];
+          const double penetration = zone.penetration / zone.radius;
+          if (penetration > near * threshold)
             {
-              const double growth = std::min(ratio / safety, largest_growth);
+              const double growth =
+                growth_of_penalty(cell, penetration, safety * threshold);
               cell.penalty *= growth;
               cell.hardened *= growth;
+              cell.raised_by  = growth;
+              cell.raised_for = penetration;
             }
         }
     }

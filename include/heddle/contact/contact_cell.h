@@ -44,6 +44,12 @@ namespace Heddle
 
       /** Penalty over that of the last accepted step. */
       double hardened = 1.;
+
+      /** By how much the penalty was raised last in this step, ... */
+      double raised_by = 1.;
+
+      /** ... and for which penetration, in radii. */
+      double raised_for = 0.;
     };
 
     inline bool
