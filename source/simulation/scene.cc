@@ -200,6 +200,7 @@ namespace Heddle
                 contact->set_threshold(thresholds.front());
               };
               all_stages.push_back(approach);
+              stage.aim = Solver::Aim::equilibrium_after_calm;
               add_friction(stage);
             }
         }
