@@ -1,5 +1,7 @@
 #include <heddle/beam/director_element.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,19 +24,24 @@ namespace Heddle
        */
       using Fields = std::array<double, width>;
 
-      /** Where the vectors r', g_1, g_2, g_1', g_2' start in Fields. */
+      /**
+       * Where the vectors r', g_1', g_2', g_1, g_2 start in Fields: derivatives
+       * of the three blocks of a node, then values of the last two.
+       */
       enum Part : unsigned int
       {
         t  = 0,
-        g1 = 3,
-        g2 = 6,
-        d1 = 9,
-        d2 = 12
+        d1 = 3,
+        d2 = 6,
+        g1 = 9,
+        g2 = 12
       };
 
-      using Strains   = std::array<double, n_strains_at_point>;
-      using Gradients = std::array<double, n_strains_at_point * width>;
-      using Hessian   = std::array<double, n_fields * width>;
+      using Strains = std::array<double, n_strains_at_point>;
+
+      /** A column for each strain, and for each field. */
+      using Gradients = Eigen::Matrix<double, width, n_strains_at_point>;
+      using Hessian   = Eigen::Matrix<double, width, n_fields>;
 
 
 
@@ -66,23 +73,23 @@ namespace Heddle
 
 
 
-        /** Apply the law to @p n columns: strains, or their gradients. */
+        /** Apply the law to strains, or to their gradients of @p n numbers. */
         template <unsigned int n>
         void
         apply(const double *strains, double *stresses) const
         {
+          using Numbers     = Eigen::Array<double, n, 1>;
+          const auto strain = [strains](const unsigned int i) {
+            return Eigen::Map<const Numbers>(strains + i * n);
+          };
+          const auto stress = [stresses](const unsigned int i) {
+            return Eigen::Map<Numbers>(stresses + i * n);
+          };
           for (unsigned int i = 0; i < n_strains_at_point; ++i)
-            for (unsigned int c = 0; c < n; ++c)
-              stresses[i * n + c] = diagonal[i] * strains[i * n + c];
-          for (unsigned int c = 0; c < n; ++c)
-            {
-              const double e  = coupling * strains[c];
-              const double e1 = strains[3 * n + c];
-              const double e2 = strains[4 * n + c];
-              stresses[c] += coupling * (e1 + e2);
-              stresses[3 * n + c] += e + lambda * e2;
-              stresses[4 * n + c] += e + lambda * e1;
-            }
+            stress(i) = diagonal[i] * strain(i);
+          stress(0) += coupling * (strain(3) + strain(4));
+          stress(3) += coupling * strain(0) + lambda * strain(4);
+          stress(4) += coupling * strain(0) + lambda * strain(3);
         }
 
         double  lambda;
@@ -125,13 +132,13 @@ namespace Heddle
       inline Gradients
       gradients_of(const Fields &p)
       {
-        Gradients  gradients{};
-        const auto set = [&](const unsigned int strain,
+        Gradients  gradients = Gradients::Zero();
+        const auto set       = [&](const unsigned int strain,
                              const Part         at,
                              const Part         by,
                              const double       factor) {
           for (unsigned int c = 0; c < 3; ++c)
-            gradients[strain * width + at + c] = factor * p[by + c];
+            gradients(at + c, strain) = factor * p[by + c];
         };
         const auto set_product =
           [&](const unsigned int strain, const Part a, const Part b) {
@@ -160,30 +167,58 @@ namespace Heddle
 
 
 
-      /** Add the second derivatives of the strains times @p stresses. */
-      inline void
-      add_geometric(const Strains &stresses, Hessian &hessian)
+      /** One number for each pair of the five vectors. */
+      using PairsOfParts = std::array<std::array<double, 5>, 5>;
+
+
+
+      /**
+       * The second derivatives of the strains times @p stresses: the number of
+       * two vectors stands for that multiple of the identity.
+       */
+      inline PairsOfParts
+      second_derivatives(const Strains &stresses)
       {
-        const auto add = [&](const Part a, const Part b, const double s) {
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              hessian[(a + c) * width + b + c] += s;
-              if (a != b)
-                hessian[(b + c) * width + a + c] += s;
-            }
-        };
-        add(t, t, stresses[0]);
-        add(t, g1, stresses[1]);
-        add(t, g2, stresses[2]);
-        add(g1, g1, stresses[3]);
-        add(g2, g2, stresses[4]);
-        add(g1, g2, stresses[5]);
-        add(t, d1, stresses[6]);
-        add(t, d2, stresses[7]);
-        add(g1, d2, .5 * (stresses[11] - stresses[8]));
-        add(g2, d1, .5 * (stresses[11] + stresses[8]));
-        add(g1, d1, stresses[9]);
-        add(g2, d2, stresses[10]);
+        const Strains &s = stresses;
+        const double   u = .5 * (s[11] - s[8]), v = .5 * (s[11] + s[8]);
+        return {{{{s[0], s[6], s[7], s[1], s[2]}},
+                 {{s[6], 0., 0., s[9], v}},
+                 {{s[7], 0., 0., u, s[10]}},
+                 {{s[1], s[9], u, s[3], s[5]}},
+                 {{s[2], v, s[10], s[5], s[4]}}}};
+      }
+
+
+
+      /**
+       * Derivatives of the strains times @p stresses: strains are quadratic in
+       * the fields, so these are second derivatives times the fields.
+       */
+      inline Fields
+      forces_of(const Fields &p, const Strains &stresses)
+      {
+        const PairsOfParts factors = second_derivatives(stresses);
+        Fields             forces{};
+        for (unsigned int a = 0; a < 5; ++a)
+          for (unsigned int b = 0; b < 5; ++b)
+            for (unsigned int c = 0; c < 3; ++c)
+              forces[3 * a + c] += factors[a][b] * p[3 * b + c];
+        return forces;
+      }
+
+
+
+      /** Set the columns of @p part from those strains that depend on it. */
+      template <unsigned int... strains>
+      inline void
+      set_columns(const Part       part,
+                  const Gradients &gradients,
+                  const Gradients &scaled,
+                  Hessian         &hessian)
+      {
+        for (unsigned int c = part; c < part + 3; ++c)
+          hessian.col(c) =
+            (... + (gradients(c, strains) * scaled.col(strains)));
       }
 
 
@@ -197,15 +232,16 @@ namespace Heddle
         law.apply<width>(gradients.data(), scaled.data());
 
         Hessian hessian;
-        for (unsigned int r = 0; r < n_fields; ++r)
-          {
-            Fields row{};
-            for (unsigned int i = 0; i < n_strains_at_point; ++i)
-              for (unsigned int c = 0; c < width; ++c)
-                row[c] += gradients[i * width + r] * scaled[i * width + c];
-            std::copy(row.begin(), row.end(), &hessian[r * width]);
-          }
-        add_geometric(stresses, hessian);
+        set_columns<0, 1, 2, 6, 7>(t, gradients, scaled, hessian);
+        set_columns<1, 3, 5, 8, 9, 11>(g1, gradients, scaled, hessian);
+        set_columns<2, 4, 5, 8, 10, 11>(g2, gradients, scaled, hessian);
+        set_columns<6, 8, 9, 11>(d1, gradients, scaled, hessian);
+        set_columns<7, 8, 10, 11>(d2, gradients, scaled, hessian);
+        const PairsOfParts geometric = second_derivatives(stresses);
+        for (unsigned int a = 0; a < 5; ++a)
+          for (unsigned int b = 0; b < 5; ++b)
+            for (unsigned int c = 0; c < 3; ++c)
+              hessian(3 * a + c, 3 * b + c) += geometric[a][b];
         return hessian;
       }
 
@@ -221,14 +257,13 @@ namespace Heddle
         for (int a = 0; a <= degree; ++a)
           {
             const double slope = point.slope[a] / length;
-            for (unsigned int c = 0; c < 3; ++c)
-              {
-                p[t + c] += slope * blocks[3 * a][c];
-                p[g1 + c] += point.value[a] * blocks[3 * a + 1][c];
-                p[g2 + c] += point.value[a] * blocks[3 * a + 2][c];
-                p[d1 + c] += slope * blocks[3 * a + 1][c];
-                p[d2 + c] += slope * blocks[3 * a + 2][c];
-              }
+            for (unsigned int k = 0; k < 3; ++k)
+              for (unsigned int c = 0; c < 3; ++c)
+                p[t + 3 * k + c] += slope * blocks[3 * a + k][c];
+            for (unsigned int k = 1; k < 3; ++k)
+              for (unsigned int c = 0; c < 3; ++c)
+                p[g1 + 3 * (k - 1) + c] +=
+                  point.value[a] * blocks[3 * a + k][c];
           }
         return p;
       }
@@ -246,18 +281,20 @@ namespace Heddle
         for (int a = 0; a <= degree; ++a)
           {
             const double slope = point.slope[a] / length;
-            for (unsigned int c = 0; c < 3; ++c)
+            for (unsigned int c = 0; c < 9; ++c)
               residual[9 * a + c] += slope * forces[t + c];
             for (unsigned int c = 3; c < 9; ++c)
-              residual[9 * a + c] +=
-                point.value[a] * forces[c] + slope * forces[c + 6];
+              residual[9 * a + c] += point.value[a] * forces[c + 6];
           }
       }
 
 
 
-      /** Add interpolate() and its transpose on both sides of @p hessian. */
-      template <int degree>
+      /**
+       * Add interpolate() and its transpose on both sides of @p hessian; of the
+       * first point it is what is set.
+       */
+      template <int degree, bool is_first>
       inline void
       add_hessian(const LagrangePoint<degree> &point,
                   const Hessian               &hessian,
@@ -265,32 +302,27 @@ namespace Heddle
                   const double                 weight,
                   double                      *tangent)
       {
-        constexpr unsigned int n = 9 * (degree + 1);
-
-        double columns[n_fields][n];
-        for (unsigned int r = 0; r < n_fields; ++r)
-          for (int b = 0; b <= degree; ++b)
-            {
-              const double *h     = &hessian[r * width];
-              const double  value = weight * point.value[b];
-              const double  slope = weight * point.slope[b] / length;
-              for (unsigned int c = 0; c < 3; ++c)
-                columns[r][9 * b + c] = slope * h[c];
-              for (unsigned int c = 3; c < 9; ++c)
-                columns[r][9 * b + c] = value * h[c] + slope * h[c + 6];
-            }
-
+        // Derivatives are the first nine fields, values the last six.
+        constexpr unsigned int                  n = 9 * (degree + 1);
+        Eigen::Matrix<double, n, n_fields>      rows;
+        Eigen::Map<Eigen::Matrix<double, n, n>> sum(tangent);
         for (int a = 0; a <= degree; ++a)
           {
-            const double slope = point.slope[a] / length;
-            double      *rows  = tangent + 9 * a * n;
-            for (unsigned int r = 0; r < 3; ++r)
-              for (unsigned int c = 0; c < n; ++c)
-                rows[r * n + c] += slope * columns[r][c];
-            for (unsigned int r = 3; r < 9; ++r)
-              for (unsigned int c = 0; c < n; ++c)
-                rows[r * n + c] +=
-                  point.value[a] * columns[r][c] + slope * columns[r + 6][c];
+            auto of_node = rows.template middleRows<9>(9 * a);
+            of_node = (weight * point.slope[a] / length) * hessian.topRows<9>();
+            of_node.template bottomRows<6>() +=
+              (weight * point.value[a]) * hessian.middleRows<6>(9);
+          }
+        for (int a = 0; a <= degree; ++a)
+          {
+            const double slope   = point.slope[a] / length;
+            auto         of_node = sum.template middleCols<9>(9 * a);
+            if constexpr (is_first)
+              of_node = slope * rows.template leftCols<9>();
+            else
+              of_node += slope * rows.template leftCols<9>();
+            of_node.template rightCols<6>() +=
+              point.value[a] * rows.template rightCols<6>();
           }
       }
 
@@ -424,7 +456,7 @@ namespace Heddle
           Strains         e         = elastic_strains(p, reference_strains);
           for (unsigned int i = 0; i < n_strains_at_point; ++i)
             for (unsigned int c = 0; c < n_fields; ++c)
-              e[i] += gradients[i * width + c] * dp[c];
+              e[i] += gradients(c, i) * dp[c];
           law.apply<1>(e.data(), stresses);
           reference_strains += n_strains_at_point;
           stresses += n_strains_at_point;
@@ -446,9 +478,6 @@ namespace Heddle
       constexpr unsigned int n = 9 * (degree + 1);
       if (residual != nullptr)
         std::fill_n(residual, n, 0.);
-      if (tangent != nullptr)
-        std::fill_n(tangent, n * n, 0.);
-
       const Law law(section);
       double    energy = 0.;
       for (int q = 0; q < degree; ++q)
@@ -465,11 +494,9 @@ namespace Heddle
 
           if (residual != nullptr)
             {
-              const Gradients gradients = gradients_of(p);
-              Fields          forces{};
-              for (unsigned int i = 0; i < n_strains_at_point; ++i)
-                for (unsigned int c = 0; c < width; ++c)
-                  forces[c] += weight * stresses[i] * gradients[i * width + c];
+              Fields forces = forces_of(p, stresses);
+              for (double &force : forces)
+                force *= weight;
               add_forces(point, forces, length, residual);
             }
           if (tangent != nullptr)
@@ -478,8 +505,13 @@ namespace Heddle
                 std::copy_n(predicted_stresses + q * n_strains_at_point,
                             n_strains_at_point,
                             stresses.begin());
-              add_hessian(
-                point, hessian_of(law, p, stresses), length, weight, tangent);
+              const Hessian hessian = hessian_of(law, p, stresses);
+              if (q == 0)
+                add_hessian<degree, true>(
+                  point, hessian, length, weight, tangent);
+              else
+                add_hessian<degree, false>(
+                  point, hessian, length, weight, tangent);
             }
         }
       return energy;

@@ -1,8 +1,11 @@
 #include <heddle/beam/hermite_element.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace Heddle
 {
@@ -132,29 +135,54 @@ namespace Heddle
 
 
 
-      /**
-       * Add the tangent of an energy density with the second derivative
-       * @p isotropic I + @p along x x^T in the vector x that @p factors make.
-       */
-      inline void
-      add_tangent(const Factors      &factors,
-                  const Tensor<1, 3> &x,
-                  const double        isotropic,
-                  const double        along,
-                  double             *tangent)
+      /** The tangent of an element, as a sum over its points. */
+      class Tangent
       {
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            std::array<double, n_unknowns> row;
+      public:
+        /** Begin with zeros in @p values. */
+        explicit Tangent(double *tangent)
+          : values(tangent)
+        {
+          values.setZero();
+        }
+
+        /**
+         * Add that of an energy density with the second derivative
+         * @p isotropic I + @p along x x^T in the vector x that @p factors make.
+         */
+        void
+        add(const Factors      &factors,
+            const Tensor<1, 3> &x,
+            const double        isotropic,
+            const double        along)
+        {
+          for (unsigned int a = 0; a < 4; ++a)
             for (unsigned int b = 0; b < 4; ++b)
-              for (unsigned int j = 0; j < 3; ++j)
-                row[3 * b + j] = factors[b] * (along * x[i] * x[j] +
-                                               (i == j ? isotropic : 0.));
-            for (unsigned int a = 0; a < 4; ++a)
-              for (unsigned int c = 0; c < n_unknowns; ++c)
-                tangent[(3 * a + i) * n_unknowns + c] += factors[a] * row[c];
-          }
-      }
+              identities[a][b] += isotropic * factors[a] * factors[b];
+          if (along == 0.)
+            return;
+
+          Eigen::Matrix<double, n_unknowns, 1> direction;
+          for (unsigned int a = 0; a < 4; ++a)
+            for (unsigned int i = 0; i < 3; ++i)
+              direction[3 * a + i] = factors[a] * x[i];
+          values.noalias() += (along * direction) * direction.transpose();
+        }
+
+        /** Add what is isotropic, at last and once for all points. */
+        void
+        end()
+        {
+          for (unsigned int a = 0; a < 4; ++a)
+            for (unsigned int b = 0; b < 4; ++b)
+              for (unsigned int i = 0; i < 3; ++i)
+                values(3 * a + i, 3 * b + i) += identities[a][b];
+        }
+
+      private:
+        Eigen::Map<Eigen::Matrix<double, n_unknowns, n_unknowns>> values;
+        std::array<Factors, 4>                                    identities{};
+      };
 
 
 
@@ -165,7 +193,7 @@ namespace Heddle
                      const double       *reference_strains,
                      const double       *predicted_stresses,
                      double             *residual,
-                     double             *tangent)
+                     Tangent            *tangent)
       {
         const auto factors = tangent_factors(length);
         double     energy  = 0.;
@@ -179,13 +207,12 @@ namespace Heddle
             if (residual != nullptr)
               add_residual(factors[q], weight * stress * x, residual);
             if (tangent != nullptr)
-              add_tangent(factors[q],
-                          x,
-                          weight * (predicted_stresses != nullptr
-                                      ? predicted_stresses[q]
-                                      : stress),
-                          weight * section.axial,
-                          tangent);
+              tangent->add(factors[q],
+                           x,
+                           weight * (predicted_stresses != nullptr
+                                       ? predicted_stresses[q]
+                                       : stress),
+                           weight * section.axial);
           }
         return energy;
       }
@@ -199,7 +226,7 @@ namespace Heddle
                        const double        length,
                        const double       *reference_curvatures,
                        double             *residual,
-                       double             *tangent)
+                       Tangent            *tangent)
       {
         const auto factors = curvature_factors(length);
         double     energy  = 0.;
@@ -217,11 +244,10 @@ namespace Heddle
             if (tangent != nullptr)
               {
                 const double m = curvature.value(x);
-                add_tangent(factors[q],
-                            x,
-                            stiffness * (1. - ratio),
-                            ratio > 0. ? stiffness * ratio / (m * m) : 0.,
-                            tangent);
+                tangent->add(factors[q],
+                             x,
+                             stiffness * (1. - ratio),
+                             ratio > 0. ? stiffness * ratio / (m * m) : 0.);
               }
           }
         return energy;
@@ -310,22 +336,24 @@ namespace Heddle
     {
       if (residual != nullptr)
         std::fill_n(residual, n_unknowns, 0.);
+      std::optional<Tangent> sum;
       if (tangent != nullptr)
-        std::fill_n(tangent, n_unknowns * n_unknowns, 0.);
+        sum.emplace(tangent);
+      Tangent *const into = sum ? &*sum : nullptr;
 
-      return assemble_axial(section,
-                            blocks,
-                            length,
-                            reference_strains,
-                            predicted_stresses,
-                            residual,
-                            tangent) +
-             assemble_bending(section,
-                              blocks,
-                              length,
-                              reference_strains + n_axial,
-                              residual,
-                              tangent);
+      const double energy =
+        assemble_axial(section,
+                       blocks,
+                       length,
+                       reference_strains,
+                       predicted_stresses,
+                       residual,
+                       into) +
+        assemble_bending(
+          section, blocks, length, reference_strains + n_axial, residual, into);
+      if (sum)
+        sum->end();
+      return energy;
     }
 
 

@@ -234,11 +234,12 @@ namespace Heddle
       const unsigned int                   n_owned = state.n_owned_blocks();
       std::array<unsigned int, max_blocks> places, sorted;
       std::iota(places.begin(), places.begin() + n, 0);
-      std::sort(places.begin(),
-                places.begin() + n,
-                [blocks](const unsigned int i, const unsigned int j) {
-                  return blocks[i] < blocks[j];
-                });
+      if (!std::is_sorted(blocks, blocks + n))
+        std::sort(places.begin(),
+                  places.begin() + n,
+                  [blocks](const unsigned int i, const unsigned int j) {
+                    return blocks[i] < blocks[j];
+                  });
       unsigned int n_own = 0;
       for (unsigned int k = 0; k < n; ++k)
         {
