@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace Heddle
 {
@@ -117,21 +118,33 @@ namespace Heddle
             return i;
           };
 
-          // Neighbours of (i, j) with smaller numbers: (i, j-1) and (i-1, j-1
-          // to j+1). Parts that run clearly opposite ways do not join.
-          for (unsigned int k = 0; k < n; ++k)
-            for (const auto &offset :
-                 {std::make_pair(0, 1), {1, 1}, {1, 0}, {1, -1}})
-              {
-                CandidatePair neighbour = first[k];
-                neighbour.interval_a -= offset.first;
-                neighbour.interval_b -= offset.second;
-                const CandidatePair *found =
-                  std::lower_bound(first, first + k, neighbour);
-                if (found != first + k && !(neighbour < *found) &&
-                    cosines[k] * cosines[found - first] > -0.1)
-                  parent[root(k)] = root(found - first);
-              }
+          // Neighbours of (i, j) with smaller numbers: (i, j-1), which comes
+          // just before, and (i-1, j-1 to j+1), where the row before has got
+          // to. Parts that run clearly opposite ways do not join.
+          const auto join = [&](const unsigned int k,
+                                const unsigned int other) {
+            if (cosines[k] * cosines[other] > -0.1)
+              parent[root(k)] = root(other);
+          };
+          unsigned int row_before = 0;
+          for (unsigned int k = 1; k < n; ++k)
+            {
+              const unsigned int i = first[k].interval_a,
+                                 j = first[k].interval_b;
+              if (first[k - 1].interval_a == i &&
+                  first[k - 1].interval_b + 1 == j)
+                join(k, k - 1);
+              const auto place = [&](const unsigned int m) {
+                return std::make_pair(first[m].interval_a + 1,
+                                      first[m].interval_b + 1);
+              };
+              while (place(row_before) < std::make_pair(i, j))
+                ++row_before;
+              for (unsigned int m = row_before;
+                   m < k && place(m) <= std::make_pair(i, j + 2);
+                   ++m)
+                join(k, m);
+            }
           for (unsigned int k = 0; k < n; ++k)
             parent[k] = root(k);
           return parent;
@@ -145,18 +158,30 @@ namespace Heddle
     ProximityZone::guess(const double p) const
     {
       // The nearest sample that is also close in p: distance along the zone
-      // counts like distance across.
-      double best = std::numeric_limits<double>::max(), q = 0.;
-      for (const Sample &sample : samples)
-        {
-          const double along = 0.5 * (sample.p - p);
-          const double value = sample.squared_distance + along * along;
-          if (value < best)
-            {
-              best = value;
-              q    = sample.q;
-            }
-        }
+      // counts like distance across, so that those further along need not be
+      // looked at.
+      double     best = std::numeric_limits<double>::max(), q = 0.;
+      const auto consider = [&](const Sample &sample) {
+        const double along  = 0.5 * (sample.p - p);
+        const double square = along * along;
+        if (sample.squared_distance + square < best)
+          {
+            best = sample.squared_distance + square;
+            q    = sample.q;
+          }
+        return square < best;
+      };
+      const auto here = std::lower_bound(
+        samples.begin(),
+        samples.end(),
+        p,
+        [](const Sample &sample, const double p) { return sample.p < p; });
+      for (auto sample = here; sample != samples.end(); ++sample)
+        if (!consider(*sample))
+          break;
+      for (auto sample = here; sample != samples.begin();)
+        if (!consider(*--sample))
+          break;
       return q;
     }
 
@@ -261,6 +286,13 @@ namespace Heddle
                   zone.samples.push_back(
                     {p, s_a - sigma * s_b, connection.norm_square()});
                 }
+            std::sort(zone.samples.begin(),
+                      zone.samples.end(),
+                      [](const ProximityZone::Sample &left,
+                         const ProximityZone::Sample &right) {
+                        return std::tie(left.p, left.q) <
+                               std::tie(right.p, right.q);
+                      });
             zones.push_back(zone);
           }
       return zones;
