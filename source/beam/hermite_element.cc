@@ -139,7 +139,7 @@ namespace Heddle
       class Tangent
       {
       public:
-        /** Begin with zeros in @p values. */
+        /** Begin with zeros in @p tangent, of 12 x 12 numbers. */
         explicit Tangent(double *tangent)
           : values(tangent)
         {
