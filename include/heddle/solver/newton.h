@@ -45,9 +45,9 @@ namespace Heddle
     };
 
     /**
-     * How far to go: to equilibrium, or only until rough terms are as rough as
-     * they are and fibers move by little, after which friction can take over;
-     * or from there to equilibrium, where they are not softened again.
+     * How far to go: to equilibrium, or only until forces balance on average
+     * and fibers move by little, after which friction can take over; or from
+     * there to equilibrium, where rough terms are not softened again.
      */
     enum class Aim
     {
