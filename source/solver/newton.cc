@@ -32,7 +32,7 @@ namespace Heddle
        * fibers: it holds those that are still on their way. That saves a third
        * of the iterations of the paper's fabrics. But forces have to balance on
        * average: where friction began before, 5 of 24 small fabrics ended with
-       * 1.4 % less force, thinner than the others (doc/benchmarks.md).
+       * 1.4 % less force than the others (doc/benchmarks.md).
        */
       constexpr Calm before_friction = {0.6, 0.6, 0.25};
 
