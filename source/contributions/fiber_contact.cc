@@ -361,6 +361,8 @@ namespace Heddle
     bool
     FiberContact::needs_new_pattern() const
     {
+      if (pattern_covers_all)
+        return false;
       const std::vector<Contact::CandidatePair> pairs =
         interval_pairs(space, contact_elements);
       return !std::includes(
@@ -370,10 +372,10 @@ namespace Heddle
 
 
     void
-    FiberContact::locate(const System::State           &state,
-                         const Contact::ContactElement &element,
-                         unsigned int                  *blocks,
-                         double                        *weights) const
+    FiberContact::locate(const System::State            &state,
+                         const Contact::ContactElement  &element,
+                         System::AxisCouplings::Blocks  &blocks,
+                         System::AxisCouplings::Weights &weights) const
     {
       const System::MaterialPoint a =
         space.locate(element.fiber_a, element.s_a);
@@ -394,21 +396,38 @@ namespace Heddle
     FiberContact::add_pattern(const System::State          &state,
                               System::BlockSystem::Pattern &pattern)
     {
+      pattern_covers_all = pattern.couplings_apart;
+      if (pattern_covers_all)
+        {
+          const auto owned = space.owned_fibers();
+          for (unsigned int f = owned.first; f < owned.second; ++f)
+            for (unsigned int i = 0; i + 1 < space.fiber(f).n_nodes; ++i)
+              pattern.couple(4, locate_middles(state, {f, f, i, i}).data());
+          return;
+        }
+
       pattern_pairs =
         union_of(cells.near_pairs(curves, pattern_margin * largest_radius),
                  interval_pairs(space, contact_elements));
-      unsigned int blocks[8];
-      double       weights[8];
       for (const Contact::CandidatePair &pair : pattern_pairs)
-        {
-          Contact::ContactElement element = {};
-          element.fiber_a                 = pair.fiber_a;
-          element.fiber_b                 = pair.fiber_b;
-          element.s_a = space.middle(pair.fiber_a, pair.interval_a);
-          element.s_b = space.middle(pair.fiber_b, pair.interval_b);
-          locate(state, element, blocks, weights);
-          pattern.couple(8, blocks);
-        }
+        pattern.couple(8, locate_middles(state, pair).data());
+    }
+
+
+
+    System::AxisCouplings::Blocks
+    FiberContact::locate_middles(const System::State          &state,
+                                 const Contact::CandidatePair &pair) const
+    {
+      Contact::ContactElement element = {};
+      element.fiber_a                 = pair.fiber_a;
+      element.fiber_b                 = pair.fiber_b;
+      element.s_a = space.middle(pair.fiber_a, pair.interval_a);
+      element.s_b = space.middle(pair.fiber_b, pair.interval_b);
+      System::AxisCouplings::Blocks  blocks;
+      System::AxisCouplings::Weights weights;
+      locate(state, element, blocks, weights);
+      return blocks;
     }
 
 
@@ -417,34 +436,47 @@ namespace Heddle
     FiberContact::assemble(const System::State &state,
                            System::BlockSystem &system)
     {
-      unsigned int           blocks[8];
-      double                 weights[8];
-      std::array<double, 24> direction;
-      SummedTerms            terms(system);
+      System::AxisCouplings::Blocks blocks;
+      System::AxisCouplings::Term   term;
+      std::array<double, 24>        direction;
+      SummedTerms of_pairs(system), of_a(system), of_b(system);
       for (const Contact::ContactElement &element : contact_elements)
         if (element.force > 0.)
           {
-            locate(state, element, blocks, weights);
-            terms.begin(8, blocks);
+            locate(state, element, blocks, term.weights);
+            if (system.keeps_couplings_apart())
+              {
+                if (system.wants_tangent())
+                  term.stiffness =
+                    stiffness(element) *
+                    symmetrize(outer_product(element.normal, element.normal));
+                add_side_by_side<4>(
+                  blocks, term, -element.force * element.normal, of_a, of_b);
+                if (system.wants_tangent())
+                  system.axis_couplings().add_term(blocks, term);
+                continue;
+              }
 
             // The gap changes by direction . motion, the energy by -force.
+            of_pairs.begin(8, blocks.data());
             for (unsigned int i = 0; i < 8; ++i)
               for (unsigned int d = 0; d < 3; ++d)
                 {
-                  direction[3 * i + d] = weights[i] * element.normal[d];
-                  terms.residual()[3 * i + d] -=
+                  direction[3 * i + d] = term.weights[i] * element.normal[d];
+                  of_pairs.residual()[3 * i + d] -=
                     element.force * direction[3 * i + d];
                 }
             if (system.wants_tangent())
               {
                 const double k       = stiffness(element);
-                double      *tangent = terms.tangent();
+                double      *tangent = of_pairs.tangent();
                 for (unsigned int i = 0; i < 24; ++i)
                   for (unsigned int j = 0; j < 24; ++j)
                     tangent[24 * i + j] += k * direction[i] * direction[j];
               }
           }
-      terms.end();
+      for (SummedTerms *terms : {&of_pairs, &of_a, &of_b})
+        terms->end();
     }
 
 

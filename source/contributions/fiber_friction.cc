@@ -1,7 +1,6 @@
 #include <heddle/base/reduce.h>
 #include <heddle/contributions/fiber_friction.h>
 #include <heddle/contributions/interval_pairs.h>
-#include <heddle/contributions/summed_terms.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -105,8 +104,19 @@ namespace Heddle
 
 
     bool
+    FiberFriction::keeps_apart(const bool couplings_apart) const
+    {
+      // Without sections friction couples the blocks that contact does.
+      return couplings_apart && space.n_blocks_per_node() == 3;
+    }
+
+
+
+    bool
     FiberFriction::needs_new_pattern() const
     {
+      if (pattern_covers_all)
+        return false;
       const auto pairs = interval_pairs(space, elements);
       return !std::includes(
         pattern_pairs.begin(), pattern_pairs.end(), pairs.begin(), pairs.end());
@@ -118,19 +128,41 @@ namespace Heddle
     FiberFriction::add_pattern(const System::State          &state,
                                System::BlockSystem::Pattern &pattern)
     {
+      pattern_covers_all = keeps_apart(pattern.couplings_apart);
+      if (pattern_covers_all)
+        {
+          const auto owned = space.owned_fibers();
+          for (unsigned int f = owned.first; f < owned.second; ++f)
+            for (unsigned int i = 0; i + 1 < space.fiber(f).n_nodes; ++i)
+              {
+                const FrictionElement element = middle_of(state, {f, f, i, i});
+                pattern.couple(element.n_blocks / 2, element.blocks.data());
+              }
+          return;
+        }
+
       // Not those that may come to touch as well, as for contact: friction
       // couples many blocks, and the matrix would be half as large again.
       Contact::extend_pairs(pattern_pairs, interval_pairs(space, elements));
       for (const Contact::CandidatePair &pair : pattern_pairs)
         {
-          Contact::ContactElement middle = {};
-          middle.fiber_a                 = pair.fiber_a;
-          middle.fiber_b                 = pair.fiber_b;
-          middle.s_a = space.middle(pair.fiber_a, pair.interval_a);
-          middle.s_b = space.middle(pair.fiber_b, pair.interval_b);
-          const FrictionElement element(state, middle);
+          const FrictionElement element = middle_of(state, pair);
           pattern.couple(element.n_blocks, element.blocks.data());
         }
+    }
+
+
+
+    FrictionElement
+    FiberFriction::middle_of(const System::State          &state,
+                             const Contact::CandidatePair &pair) const
+    {
+      Contact::ContactElement middle = {};
+      middle.fiber_a                 = pair.fiber_a;
+      middle.fiber_b                 = pair.fiber_b;
+      middle.s_a = space.middle(pair.fiber_a, pair.interval_a);
+      middle.s_b = space.middle(pair.fiber_b, pair.interval_b);
+      return FrictionElement(state, middle);
     }
 
 
@@ -146,50 +178,106 @@ namespace Heddle
           elements.size(),
           elements.size() * elements.front().n_blocks,
           elements.size() * FrictionElement::n_axis_blocks);
-      SummedTerms terms(system);
+      SummedTerms of_pairs(system), of_a(system), of_b(system);
       for (const Element &element : elements)
         {
-          terms.begin(element.n_blocks, element.blocks.data());
-          const FrictionElement::Derivative by(element);
-          const Tensor<1, 3> u     = element.displacement(state.current());
-          const Tensor<1, 3> force = element.law.force(u);
-          const unsigned int n     = 3 * element.n_blocks;
-          const double       along = force * element.axes[0],
-                       across      = force * element.axes[1];
-          const auto &by_along = by.rows[0], &by_across = by.rows[1];
-          for (unsigned int i = 0; i < n; ++i)
-            terms.residual()[i] += along * by_along[i] + across * by_across[i];
-          if (system.wants_tangent())
-            {
-              const Tensor<2, 3> k = element.law.stiffness(u, element.normal);
-              const double       both = element.axes[0] * (k * element.axes[1]);
-              const double first      = element.axes[0] * (k * element.axes[0]),
-                           second     = element.axes[1] * (k * element.axes[1]);
-              std::array<double, 3 * FrictionElement::max_blocks> f, g;
-              for (unsigned int j = 0; j < n; ++j)
-                {
-                  f[j] = first * by_along[j] + both * by_across[j];
-                  g[j] = both * by_along[j] + second * by_across[j];
-                }
-              for (unsigned int i = 0; i < n; ++i)
-                {
-                  double *row = terms.tangent() + n * i;
-                  for (unsigned int j = 0; j < n; ++j)
-                    row[j] += by_along[i] * f[j] + by_across[i] * g[j];
-                }
-              if (element.limit_stiffness > 0.)
-                add_change_of_limit(element, by, u, system.unsymmetric_terms());
-            }
+          const Response response = respond(state, element);
+          if (keeps_apart(system.keeps_couplings_apart()))
+            add_apart(element, response, of_a, of_b, system);
+          else
+            add(element, response, of_pairs, system);
+          if (system.wants_tangent() && element.limit_stiffness > 0.)
+            add_change_of_limit(element,
+                                element.displacement(state.current()),
+                                system.unsymmetric_terms());
         }
-      terms.end();
+      for (SummedTerms *terms : {&of_pairs, &of_a, &of_b})
+        terms->end();
+    }
+
+
+
+    FiberFriction::Response
+    FiberFriction::respond(const System::State &state,
+                           const Element       &element) const
+    {
+      const Tensor<1, 3> u     = element.displacement(state.current());
+      const Tensor<1, 3> force = element.law.force(u);
+      const Tensor<2, 3> k     = element.law.stiffness(u, element.normal);
+      const auto        &axes  = element.axes;
+      return {{{force * axes[0], force * axes[1]}},
+              axes[0] * (k * axes[0]),
+              axes[0] * (k * axes[1]),
+              axes[1] * (k * axes[1])};
     }
 
 
 
     void
-    FiberFriction::add_change_of_limit(const Element &element,
-                                       const FrictionElement::Derivative &by,
-                                       const Tensor<1, 3>                &u,
+    FiberFriction::add(const Element             &element,
+                       const Response            &response,
+                       SummedTerms               &terms,
+                       const System::BlockSystem &system) const
+    {
+      terms.begin(element.n_blocks, element.blocks.data());
+      const FrictionElement::Derivative by(element);
+      const unsigned int                n = 3 * element.n_blocks;
+      const auto &by_along = by.rows[0], &by_across = by.rows[1];
+      for (unsigned int i = 0; i < n; ++i)
+        terms.residual()[i] +=
+          response.force[0] * by_along[i] + response.force[1] * by_across[i];
+      if (!system.wants_tangent())
+        return;
+
+      std::array<double, 3 * FrictionElement::max_blocks> f, g;
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          f[j] = response.along * by_along[j] + response.both * by_across[j];
+          g[j] = response.both * by_along[j] + response.across * by_across[j];
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          double *row = terms.tangent() + n * i;
+          for (unsigned int j = 0; j < n; ++j)
+            row[j] += by_along[i] * f[j] + by_across[i] * g[j];
+        }
+    }
+
+
+
+    void
+    FiberFriction::add_apart(const Element       &element,
+                             const Response      &response,
+                             SummedTerms         &of_a,
+                             SummedTerms         &of_b,
+                             System::BlockSystem &system) const
+    {
+      // The displacement follows from the distance of the particles alone.
+      const Tensor<1, 3> &first  = element.by_distance(0),
+                         &second = element.by_distance(1);
+      System::SectionCouplings::Term term;
+      term.weights = element.all_weights();
+      for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int e = d; e < 3; ++e)
+          term.stiffness[d][e] =
+            response.along * first[d] * first[e] +
+            response.both * (first[d] * second[e] + second[d] * first[e]) +
+            response.across * second[d] * second[e];
+      add_side_by_side<8>(element.blocks,
+                          term,
+                          response.force[0] * first +
+                            response.force[1] * second,
+                          of_a,
+                          of_b);
+      if (system.wants_tangent())
+        system.section_couplings().add_term(element.blocks, term);
+    }
+
+
+
+    void
+    FiberFriction::add_change_of_limit(const Element            &element,
+                                       const Tensor<1, 3>       &u,
                                        System::UnsymmetricTerms &terms) const
     {
       // The wider the gap, the less friction, in its direction.
@@ -197,6 +285,7 @@ namespace Heddle
         -element.limit_stiffness * element.law.part_of_limit(u);
       const double along  = less * element.axes[0],
                    across = less * element.axes[1];
+      const FrictionElement::Derivative by(element);
       terms.add_term();
       for (unsigned int i = 0; i < element.n_blocks; ++i)
         {
@@ -211,7 +300,7 @@ namespace Heddle
           {
             const unsigned int k = side * (element.n_blocks / 2) + i;
             terms.add_motion(element.blocks[k],
-                             element.weight_of(k) * element.normal);
+                             element.all_weights()[k] * element.normal);
           }
     }
 

@@ -181,7 +181,7 @@ namespace Heddle
     {
       for (unsigned int k = 0; k < 2; ++k)
         by_separation[k] = share * axes[k];
-      if (!on_axes())
+      if (has_sections())
         return;
 
       // The rotation w of the pair takes the arm d between the particles along:
@@ -213,7 +213,7 @@ namespace Heddle
         for (unsigned int i = 0; i < element.n_blocks; ++i)
           {
             Tensor<1, 3> row = element.weights[i] * element.by_separation[k];
-            if (element.on_axes())
+            if (!element.has_sections())
               row += element.slopes[i] * element.by_tangent[i / 4][k];
             for (unsigned int d = 0; d < 3; ++d)
               rows[k][3 * i + d] = row[d];
@@ -229,7 +229,7 @@ namespace Heddle
       const Tensor<1, 3>    apart = separation(values);
       std::array<double, 2> sums  = {
          {by_separation[0] * apart, by_separation[1] * apart}};
-      if (!on_axes())
+      if (has_sections())
         return sums;
       for (unsigned int i = 0; i < n_blocks; ++i)
         for (unsigned int k = 0; k < 2; ++k)

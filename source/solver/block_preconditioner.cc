@@ -17,13 +17,14 @@ namespace Heddle
 
 
     void
-    BlockPreconditioner::set_up(Mat tangent, const bool yarn_motions)
+    BlockPreconditioner::set_up(const System::BlockSystem &system,
+                                const bool                 yarn_motions)
     {
-      const System::LocalBlocks blocks(tangent);
+      const System::LocalBlocks blocks(system.tangent());
       fibers.set_up(blocks);
       corrected = yarn_motions;
       if (corrected)
-        yarns.set_up(tangent, blocks);
+        yarns.set_up(system, blocks);
       if (matrix)
         matrix->set_up(blocks);
     }

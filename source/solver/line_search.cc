@@ -1,6 +1,7 @@
 #include <heddle/base/petsc.h>
 #include <heddle/base/reduce.h>
 #include <heddle/solver/line_search.h>
+#include <heddle/solver/tangent_operator.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -37,9 +38,11 @@ namespace Heddle
     {
       first.slope = slope(system, increment);
 
-      Vec image;
+      const TangentOperator tangent(system,
+                                    System::BlockSystem::Part::symmetric);
+      Vec                   image;
       petsc(VecDuplicate(system.solution(), &image));
-      petsc(MatMult(system.tangent(), system.solution(), image));
+      petsc(MatMult(tangent.matrix(), system.solution(), image));
       double curvature;
       petsc(VecDot(system.solution(), image, &curvature));
       petsc(VecDestroy(&image));

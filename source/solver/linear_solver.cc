@@ -111,7 +111,8 @@ namespace Heddle
                                const System::BlockSystem    &system)
       : parameters(parameters)
       , system(system)
-      , whole(system)
+      , symmetric(system, System::BlockSystem::Part::symmetric)
+      , whole(system, System::BlockSystem::Part::whole)
     {
     }
 
@@ -181,8 +182,11 @@ namespace Heddle
     {
       if (!iterating)
         begin_iterating();
-      preconditioner->set_up(system.tangent(), yarn_motions);
-      petsc(KSPSetOperators(iterating, system.tangent(), system.tangent()));
+      preconditioner->set_up(system, yarn_motions);
+      petsc(KSPSetOperators(iterating,
+                            system.has_couplings_apart() ? symmetric.matrix()
+                                                         : system.tangent(),
+                            system.tangent()));
       const bool converged =
         run(iterating, std::min(looser * tolerance, loosest), result);
       if (!system.has_unsymmetric_terms() || part_left() <= good_enough)
@@ -252,6 +256,8 @@ namespace Heddle
           set_default("-mat_mumps_icntl_14", "200");
           petsc(KSPSetFromOptions(factorizing));
         }
+      Assert(!system.has_couplings_apart(),
+             ExcMessage("What is factorized has to be in the matrix."));
       const bool unsymmetric = system.has_unsymmetric_terms();
       petsc(KSPSetType(factorizing, unsymmetric ? KSPGMRES : KSPPREONLY));
       petsc(KSPSetTolerances(

@@ -136,8 +136,14 @@ namespace Heddle
         return;
       linear_solver.reset();
       field_version = state.field_version();
-      block_system =
-        std::make_unique<System::BlockSystem>(state, /*symmetric=*/true);
+
+      // Friction is assembled only if the system will be factorized.
+      block_system = std::make_unique<System::BlockSystem>(
+        state,
+        /*symmetric=*/true,
+        /*couplings_apart=*/
+        !linear_parameters.direct(state.n_dofs(),
+                                  /*contact=*/true));
       linear_solver =
         std::make_unique<LinearSolver>(linear_parameters, *block_system);
       damping = std::make_unique<FiberDamping>(state.space, parameters.damping);
@@ -519,7 +525,8 @@ namespace Heddle
         stale = contribution->needs_new_pattern() || stale;
       if (Utilities::MPI::max(stale ? 1 : 0, communicator) > 0)
         {
-          System::BlockSystem::Pattern pattern(state.n_owned_blocks());
+          System::BlockSystem::Pattern pattern(
+            state.n_owned_blocks(), block_system->keeps_couplings_apart());
           for (const auto &contribution : contributions)
             contribution->add_pattern(state, pattern);
           block_system->set_pattern(pattern);

@@ -5,8 +5,10 @@ namespace Heddle
 {
   namespace Solver
   {
-    TangentOperator::TangentOperator(const System::BlockSystem &system)
+    TangentOperator::TangentOperator(const System::BlockSystem      &system,
+                                     const System::BlockSystem::Part part)
       : system(system)
+      , part(part)
     {
       const PetscInt n_owned = 3 * system.state.n_owned_blocks();
       petsc(MatCreateShell(system.state.space.communicator(),
@@ -45,7 +47,7 @@ namespace Heddle
       code = code != 0 ? code : VecGetArray(product, &output);
       if (code != 0)
         return code;
-      self->system.add_unsymmetric_product(input, output);
+      self->system.add_product_of_terms(self->part, input, output);
       code = VecRestoreArray(product, &output);
       return code != 0 ? code : VecRestoreArrayRead(vector, &input);
     }

@@ -111,7 +111,8 @@ namespace Heddle
 
 
     void
-    YarnMotions::set_up(Mat tangent, const System::LocalBlocks &own)
+    YarnMotions::set_up(const System::BlockSystem &system,
+                        const System::LocalBlocks &own)
     {
       usable = n_all_stations > 0;
       if (!usable)
@@ -129,7 +130,10 @@ namespace Heddle
                 shares[row], shares[column], block, column != row, coarse);
             });
       if (Utilities::MPI::n_mpi_processes(state.space.communicator()) > 1)
-        project_remote(tangent, coarse);
+        project_remote(system.tangent(), coarse);
+
+      project_couplings(system, system.axis_couplings(), coarse);
+      project_couplings(system, system.section_couplings(), coarse);
       factorize(coarse);
     }
 
@@ -162,6 +166,122 @@ namespace Heddle
               sum[k] +=
                 weight * ((as_it_is ? block[k] : 0.) +
                           (transposed ? block[3 * (k % 3) + k / 3] : 0.));
+          }
+    }
+
+
+
+    std::pair<unsigned int, unsigned int>
+    YarnMotions::stations_of(const unsigned int  n,
+                             const unsigned int *blocks) const
+    {
+      unsigned int first = n_all_stations, end = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        if (shares[blocks[i]].station != numbers::invalid_unsigned_int)
+          {
+            first = std::min(first, shares[blocks[i]].station);
+            end   = std::max(end, shares[blocks[i]].station + 2);
+          }
+      return {first, end};
+    }
+
+
+
+    template <unsigned int n_of_side>
+    void
+    YarnMotions::project_couplings(
+      const System::BlockSystem              &system,
+      const System::PairCouplings<n_of_side> &couplings,
+      CoarseBlocks                           &coarse) const
+    {
+      using Couplings = System::PairCouplings<n_of_side>;
+      using Stations  = std::pair<unsigned int, unsigned int>;
+
+      // The weights of the stations follow from those of the blocks.
+      std::vector<double> weights[2];
+      const auto          weigh = [this](const unsigned int  *blocks,
+                                const double        *of_blocks,
+                                const Stations      &stations,
+                                std::vector<double> &of_stations) {
+        of_stations.assign(stations.second - stations.first, 0.);
+        for (unsigned int i = 0; i < n_of_side; ++i)
+          if (shares[blocks[i]].station != numbers::invalid_unsigned_int)
+            {
+              const Share       &share = shares[blocks[i]];
+              const unsigned int k = share.station - stations.first;
+              of_stations[k] += share.here * of_blocks[i];
+              of_stations[k + 1] += share.next * of_blocks[i];
+            }
+      };
+
+      std::vector<SymmetricTensor<2, 3>> sums;
+      couplings.for_each_group([&](const typename Couplings::Blocks &blocks,
+                                   const typename Couplings::Term   *first,
+                                   const typename Couplings::Term   *end) {
+        // Both ranks have the terms between their fibers: one projects them.
+        const unsigned int *of_a = blocks.data(), *of_b = of_a + n_of_side;
+        const Stations      a = stations_of(n_of_side, of_a),
+                       b      = stations_of(n_of_side, of_b);
+        if (of_a[0] >= state.n_owned_fiber_blocks() || a.first >= a.second ||
+            b.first >= b.second)
+          return;
+        if (std::any_of(blocks.begin(), blocks.end(), [&](const auto block) {
+              return system.is_constrained(block);
+            }))
+          {
+            project_constrained<n_of_side>(system, blocks, first, end, coarse);
+            return;
+          }
+        const unsigned int n_b = b.second - b.first;
+        sums.assign((a.second - a.first) * n_b, SymmetricTensor<2, 3>());
+        for (const typename Couplings::Term *term = first; term < end; ++term)
+          {
+            weigh(of_a, term->weights.data(), a, weights[0]);
+            weigh(of_b, term->weights.data() + n_of_side, b, weights[1]);
+            for (unsigned int i = 0; i < weights[0].size(); ++i)
+              for (unsigned int j = 0; j < n_b; ++j)
+                sums[n_b * i + j] +=
+                  weights[0][i] * weights[1][j] * term->stiffness;
+          }
+        for (std::uint64_t i = a.first; i < a.second; ++i)
+          for (std::uint64_t j = b.first; j < b.second; ++j)
+            {
+              // Within a station it stands for its transpose as well.
+              const auto &sum = sums[n_b * (i - a.first) + (j - b.first)];
+              std::array<double, 9> &block =
+                coarse[std::max(i, j) * n_all_stations + std::min(i, j)];
+              for (unsigned int k = 0; k < 9; ++k)
+                block[k] += (i == j ? 2. : 1.) * sum[k / 3][k % 3];
+            }
+      });
+    }
+
+
+
+    template <unsigned int n_of_side>
+    void
+    YarnMotions::project_constrained(
+      const System::BlockSystem                               &system,
+      const typename System::PairCouplings<n_of_side>::Blocks &blocks,
+      const typename System::PairCouplings<n_of_side>::Term   *first,
+      const typename System::PairCouplings<n_of_side>::Term   *end,
+      CoarseBlocks                                            &coarse) const
+    {
+      for (unsigned int i = 0; i < n_of_side; ++i)
+        for (unsigned int j = n_of_side; j < 2 * n_of_side; ++j)
+          {
+            const unsigned int row = blocks[i], column = blocks[j];
+            if (shares[row].station == numbers::invalid_unsigned_int ||
+                shares[column].station == numbers::invalid_unsigned_int)
+              continue;
+            SymmetricTensor<2, 3> sum;
+            for (const auto *term = first; term < end; ++term)
+              sum += term->weights[i] * term->weights[j] * term->stiffness;
+            const Tensor<2, 3> free = system.constrained(row, column, sum);
+            double             block[9];
+            for (unsigned int k = 0; k < 9; ++k)
+              block[k] = free[k % 3][k / 3];
+            project(shares[row], shares[column], block, /*twice=*/true, coarse);
           }
     }
 

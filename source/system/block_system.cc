@@ -22,9 +22,12 @@ namespace Heddle
 
 
 
-    BlockSystem::BlockSystem(const State &state, const bool symmetric)
+    BlockSystem::BlockSystem(const State &state,
+                             const bool   symmetric,
+                             const bool   couplings_apart)
       : state(state)
       , symmetric(symmetric)
+      , couplings_apart(couplings_apart)
     {
       const PetscInt n_owned = 3 * state.n_owned_blocks();
       petsc(VecCreateMPI(
@@ -184,6 +187,8 @@ namespace Heddle
         {
           lifting.assign(state.n_owned_blocks(), Tensor<1, 3>());
           unsymmetric.clear();
+          of_axes.clear();
+          of_sections.clear();
           // PETSc zeroes assembled matrices only: finish what was not.
           own.reset();
           petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
@@ -335,39 +340,61 @@ namespace Heddle
 
 
 
+    Tensor<2, 3>
+    BlockSystem::constrained(const unsigned int row,
+                             const unsigned int column,
+                             Tensor<2, 3>       value) const
+    {
+      if (is_constrained(row))
+        {
+          const Constraint &constraint = constraints[constraint_of_block[row]];
+          value                        = constraint.frame * value;
+          for (unsigned int d = 0; d < 3; ++d)
+            if (constraint.fixed[d])
+              value[d] = 0.;
+        }
+      if (is_constrained(column))
+        {
+          const Constraint &constraint =
+            constraints[constraint_of_block[column]];
+          value = value * transpose(constraint.frame);
+          for (unsigned int d = 0; d < 3; ++d)
+            if (constraint.fixed[d])
+              for (unsigned int e = 0; e < 3; ++e)
+                value[e][d] = 0.;
+        }
+      return value;
+    }
+
+
+
     void
     BlockSystem::add_row(const unsigned int  row,
                          const unsigned int  n,
                          const unsigned int *columns,
                          const Tensor<2, 3> *values)
     {
-      const int      of_row = constraint_of_block[row];
-      const PetscInt here   = global_blocks[row];
+      const PetscInt here = global_blocks[row];
       work.resize(9 * n);
       row_columns.resize(n);
       for (unsigned int k = 0; k < n; ++k)
         {
-          Tensor<2, 3> value     = values[k];
-          const int    of_column = constraint_of_block[columns[k]];
-          if (of_row >= 0)
-            value = constraints[of_row].frame * value;
-          if (of_column >= 0)
+          if (is_constrained(columns[k]))
             {
-              const Constraint &constraint = constraints[of_column];
-              value = value * transpose(constraint.frame);
+              const Constraint &constraint =
+                constraints[constraint_of_block[columns[k]]];
+              Tensor<1, 3> pending;
               for (unsigned int d = 0; d < 3; ++d)
                 if (constraint.fixed[d])
-                  for (unsigned int e = 0; e < 3; ++e)
-                    {
-                      lifting[row][e] += value[e][d] * constraint.pending[d];
-                      value[e][d] = 0.;
-                    }
+                  pending += constraint.pending[d] * constraint.frame[d];
+              const Tensor<1, 3> raised = values[k] * pending;
+              lifting[row] +=
+                is_constrained(row)
+                  ? constraints[constraint_of_block[row]].frame * raised
+                  : raised;
             }
-          if (of_row >= 0)
-            for (unsigned int e = 0; e < 3; ++e)
-              if (constraints[of_row].fixed[e])
-                value[e] = 0.;
-          row_columns[k] = global_blocks[columns[k]];
+          const Tensor<2, 3> value = constrained(row, columns[k], values[k]);
+          row_columns[k]           = global_blocks[columns[k]];
           for (unsigned int e = 0; e < 3; ++e)
             for (unsigned int d = 0; d < 3; ++d)
               work[3 * n * e + 3 * k + d] = value[e][d];
@@ -399,9 +426,13 @@ namespace Heddle
       if (!wants_tangent())
         return;
 
-      any_unsymmetric = Utilities::MPI::max(unsymmetric.empty() ? 0 : 1,
-                                            state.space.communicator()) > 0;
-      lift_unsymmetric();
+      const auto on_any_rank = [this](const bool here) {
+        return Utilities::MPI::max(here ? 1 : 0, state.space.communicator()) >
+               0;
+      };
+      any_unsymmetric = on_any_rank(!unsymmetric.empty());
+      any_couplings   = on_any_rank(!of_axes.empty() || !of_sections.empty());
+      lift_terms();
 
       // The right-hand side in the frames of the constraints; a prescribed
       // component has the equation 1 * motion = pending.
@@ -436,9 +467,9 @@ namespace Heddle
 
 
     void
-    BlockSystem::lift_unsymmetric()
+    BlockSystem::lift_terms()
     {
-      if (!any_unsymmetric)
+      if (!any_unsymmetric && !any_couplings)
         return;
       motion.assign(state.n_local_blocks(), Tensor<1, 3>());
       for (const Constraint &constraint : constraints)
@@ -447,7 +478,7 @@ namespace Heddle
             motion[constraint.block] +=
               constraint.pending[d] * constraint.frame[d];
       raised.assign(state.n_owned_blocks(), Tensor<1, 3>());
-      unsymmetric.add_product(motion, raised);
+      add_product_of_terms(Part::whole, motion, raised);
       for (const Constraint &constraint : constraints)
         if (constraint.block < raised.size())
           raised[constraint.block] =
@@ -459,8 +490,22 @@ namespace Heddle
 
 
     void
-    BlockSystem::add_unsymmetric_product(const double *vector,
-                                         double       *product) const
+    BlockSystem::add_product_of_terms(const Part                       part,
+                                      const std::vector<Tensor<1, 3>> &motion,
+                                      std::vector<Tensor<1, 3>> &forces) const
+    {
+      of_axes.add_product(motion, forces);
+      of_sections.add_product(motion, forces);
+      if (part == Part::whole)
+        unsymmetric.add_product(motion, forces);
+    }
+
+
+
+    void
+    BlockSystem::add_product_of_terms(const Part    part,
+                                      const double *vector,
+                                      double       *product) const
     {
       // Prescribed components have no part in it: what they raise is lifted.
       const auto free_part = [](const Constraint &constraint,
@@ -482,7 +527,7 @@ namespace Heddle
       state.update_ghosts(motion);
 
       raised.assign(n_owned, Tensor<1, 3>());
-      unsymmetric.add_product(motion, raised);
+      add_product_of_terms(part, motion, raised);
       for (const Constraint &constraint : constraints)
         if (constraint.block < n_owned)
           raised[constraint.block] =

@@ -120,7 +120,7 @@ main(int argc, char **argv)
       const unsigned int together = solve(yarns), apart = solve(lone);
 
       Solver::YarnMotions motions(*yarns.state);
-      motions.set_up(yarns.system->tangent(),
+      motions.set_up(*yarns.system,
                      System::LocalBlocks(yarns.system->tangent()));
       const unsigned int n          = 3 * yarns.state->n_owned_blocks();
       const auto         correction = [&](const std::vector<double> &residual) {

@@ -228,10 +228,15 @@ namespace Heddle
 
       /** Local blocks of the particles of an element and their weights. */
       void
-      locate(const System::State           &state,
-             const Contact::ContactElement &element,
-             unsigned int                  *blocks,
-             double                        *weights) const;
+      locate(const System::State            &state,
+             const Contact::ContactElement  &element,
+             System::AxisCouplings::Blocks  &blocks,
+             System::AxisCouplings::Weights &weights) const;
+
+      /** The blocks of elements between the middles of two intervals. */
+      System::AxisCouplings::Blocks
+      locate_middles(const System::State          &state,
+                     const Contact::CandidatePair &pair) const;
 
       const System::FiberSpace         &space;
       const Contact::ContactParameters &parameters;
@@ -265,6 +270,7 @@ namespace Heddle
 
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;
+      bool                                pattern_covers_all = false;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -6,6 +6,7 @@
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/friction_coefficients.h>
 #include <heddle/contributions/friction_element.h>
+#include <heddle/contributions/summed_terms.h>
 
 #include <vector>
 
@@ -122,14 +123,53 @@ namespace Heddle
       place_elements(const System::State &state);
 
       /**
+       * Components of the force of friction along the fibers and across, and of
+       * its derivative by those of the displacement.
+       */
+      struct Response
+      {
+        std::array<double, 2> force;               /**< [N] */
+        double                along, both, across; /**< [N/mm] */
+      };
+
+      Response
+      respond(const System::State &state, const Element &element) const;
+
+      /** Whether couplings of fibers are no part of the matrix. */
+      bool
+      keeps_apart(const bool couplings_apart) const;
+
+      /** Add an element to @p terms, of residual and matrix. */
+      void
+      add(const Element             &element,
+          const Response            &response,
+          SummedTerms               &terms,
+          const System::BlockSystem &system) const;
+
+      /**
+       * Add what acts on both fibers one by one to @p of_a and @p of_b, and
+       * what couples them to the section_couplings() of @p system.
+       */
+      void
+      add_apart(const Element       &element,
+                const Response      &response,
+                SummedTerms         &of_a,
+                SummedTerms         &of_b,
+                System::BlockSystem &system) const;
+
+      /**
        * Add how the force of @p element, with the displacement @p u, follows
        * the normal force.
        */
       void
-      add_change_of_limit(const Element                     &element,
-                          const FrictionElement::Derivative &by,
-                          const Tensor<1, 3>                &u,
-                          System::UnsymmetricTerms          &terms) const;
+      add_change_of_limit(const Element            &element,
+                          const Tensor<1, 3>       &u,
+                          System::UnsymmetricTerms &terms) const;
+
+      /** For the blocks that elements between two intervals act on. */
+      FrictionElement
+      middle_of(const System::State          &state,
+                const Contact::CandidatePair &pair) const;
 
       Element
       make_element(const System::State           &state,
@@ -156,9 +196,10 @@ namespace Heddle
 
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;
-      unsigned int                        ghost_version = 0;
-      double                              stored        = 0.; /**< [N mm] */
-      double                              dissipated    = 0.; /**< [N mm] */
+      bool                                pattern_covers_all = false;
+      unsigned int                        ghost_version      = 0;
+      double                              stored     = 0.; /**< [N mm] */
+      double                              dissipated = 0.; /**< [N mm] */
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -30,6 +30,9 @@ namespace Heddle
       /** Blocks of the axes, half of them of each fiber. */
       static constexpr unsigned int n_axis_blocks = 8;
 
+      using Blocks  = std::array<unsigned int, max_blocks>;
+      using Weights = std::array<double, max_blocks>;
+
       /** Motion of all blocks that the rank holds, or their configuration. */
       using Values = std::vector<Tensor<1, 3>>;
 
@@ -99,11 +102,29 @@ namespace Heddle
       Tensor<1, 3>
       displacement(const Values &values) const;
 
-      /** How block @p i moves the particles apart; of the axes all do [-]. */
-      double
-      weight_of(const unsigned int i) const
+      /** Whether the particles lie on surfaces and turn with the sections. */
+      bool
+      has_sections() const
       {
-        return weights[i];
+        return n_blocks == max_blocks;
+      }
+
+      /** How the blocks move the particles apart; of the axes all do [-, mm].
+       */
+      const Weights &
+      all_weights() const
+      {
+        return weights;
+      }
+
+      /**
+       * How component @p k of the displacement grows with that, which is all
+       * that it depends on where there are sections.
+       */
+      const Tensor<1, 3> &
+      by_distance(const unsigned int k) const
+      {
+        return by_separation[k];
       }
 
       unsigned int fiber_a, fiber_b;
@@ -117,16 +138,9 @@ namespace Heddle
       Tensor<1, 3> axes[2];
 
       /** Local numbers, in halves for both fibers: the axis comes first. */
-      std::array<unsigned int, max_blocks> blocks;
+      Blocks blocks;
 
     private:
-      /** Without sections, whose rotation that of the pair then stands for. */
-      bool
-      on_axes() const
-      {
-        return n_blocks < max_blocks;
-      }
-
       /** Add the blocks of one fiber: @p side is 0 for a, and 1 for b. */
       void
       add_particle(const System::State &state, const unsigned int side);
@@ -144,7 +158,7 @@ namespace Heddle
       components(const Values &values) const;
 
       /** How the blocks make up the separation of the particles [-, mm]. */
-      std::array<double, max_blocks> weights;
+      Weights weights;
 
       /** How those of the axes make up the tangents of both fibers. */
       std::array<double, 8> slopes;

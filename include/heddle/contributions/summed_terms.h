@@ -9,6 +9,8 @@ namespace Heddle
 {
   namespace Contributions
   {
+    using namespace dealii;
+
     /**
      * Sums the terms of elements that follow each other and act on the same
      * blocks, as those of one contact cell do: the system, which has to look
@@ -30,6 +32,12 @@ namespace Heddle
         return residual_sum.data();
       }
 
+      bool
+      want_tangent() const
+      {
+        return system.wants_tangent();
+      }
+
       /** ... and 3 n rows of 3 n numbers, if the system wants a tangent. */
       double *
       tangent()
@@ -46,6 +54,19 @@ namespace Heddle
       std::vector<unsigned int> blocks;
       std::vector<double>       residual_sum, tangent_sum;
     };
+
+    /**
+     * Add what a term of PairCouplings does within both sides, one by one, to
+     * @p of_a and @p of_b, and the forces that its weights make of @p force.
+     */
+    template <unsigned int n_of_side>
+    void
+    add_side_by_side(
+      const typename System::PairCouplings<n_of_side>::Blocks &blocks,
+      const typename System::PairCouplings<n_of_side>::Term   &term,
+      const Tensor<1, 3>                                      &force,
+      SummedTerms                                             &of_a,
+      SummedTerms                                             &of_b);
   } // namespace Contributions
 } // namespace Heddle
 

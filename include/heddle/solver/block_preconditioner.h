@@ -29,7 +29,7 @@ namespace Heddle
        * correction of @p yarn_motions.
        */
       void
-      set_up(Mat tangent, const bool yarn_motions);
+      set_up(const System::BlockSystem &system, const bool yarn_motions);
 
       /** Let @p pc apply this object. */
       void

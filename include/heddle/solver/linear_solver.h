@@ -71,8 +71,8 @@ namespace Heddle
       operator=(const LinearSolver &) = delete;
 
       /**
-       * Solve system.tangent() * system.solution() = system.right_hand_side(),
-       * with the unsymmetric terms if there are any.
+       * Solve for system.solution() what system.tangent(), the terms beside it
+       * and system.right_hand_side() ask for.
        * Where conjugate gradients do not converge, since the tangent is not
        * positive definite or in too many iterations, they hand over what they
        * have, or, if it is to be solved @p exactly, it is factorized. That is
@@ -112,7 +112,7 @@ namespace Heddle
 
       const LinearSolverParameters        &parameters;
       const System::BlockSystem           &system;
-      const TangentOperator                whole;
+      const TangentOperator                symmetric, whole;
       KSP                                  iterating   = nullptr;
       KSP                                  improving   = nullptr;
       KSP                                  factorizing = nullptr;

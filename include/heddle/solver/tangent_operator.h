@@ -10,13 +10,14 @@ namespace Heddle
   namespace Solver
   {
     /**
-     * The whole tangent of a BlockSystem, its matrix and its unsymmetric terms,
-     * for solvers that only multiply with it.
+     * A part of the tangent of a BlockSystem, its matrix and the terms beside
+     * it, for those that only multiply with it.
      */
     class TangentOperator
     {
     public:
-      TangentOperator(const System::BlockSystem &system);
+      TangentOperator(const System::BlockSystem      &system,
+                      const System::BlockSystem::Part part);
 
       ~TangentOperator();
 
@@ -34,8 +35,9 @@ namespace Heddle
       static PetscErrorCode
       multiply(Mat shell, Vec vector, Vec product);
 
-      const System::BlockSystem &system;
-      Mat                        shell = nullptr;
+      const System::BlockSystem      &system;
+      const System::BlockSystem::Part part;
+      Mat                             shell = nullptr;
     };
   } // namespace Solver
 } // namespace Heddle

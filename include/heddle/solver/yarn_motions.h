@@ -1,8 +1,7 @@
 #ifndef heddle_solver_yarn_motions_h
 #define heddle_solver_yarn_motions_h
 
-#include <heddle/system/local_blocks.h>
-#include <heddle/system/state.h>
+#include <heddle/system/block_system.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -33,12 +32,12 @@ namespace Heddle
       YarnMotions(const System::State &state);
 
       /**
-       * Take the coarse system from @p tangent, whose part on this rank is
-       * @p own.
+       * Take the coarse system from the symmetric tangent of @p system, the
+       * part of whose matrix on this rank is @p own.
        * @note Collective.
        */
       void
-      set_up(Mat tangent, const System::LocalBlocks &own);
+      set_up(const System::BlockSystem &system, const System::LocalBlocks &own);
 
       /**
        * Add to @p result the correction for @p residual, both of the own
@@ -84,6 +83,27 @@ namespace Heddle
               const double *block,
               const bool    twice,
               CoarseBlocks &coarse) const;
+
+      /** First station that @p n blocks follow, and the one after the last. */
+      std::pair<unsigned int, unsigned int>
+      stations_of(const unsigned int n, const unsigned int *blocks) const;
+
+      /** Project what couples the fibers of this rank, and is in no matrix. */
+      template <unsigned int n_of_side>
+      void
+      project_couplings(const System::BlockSystem              &system,
+                        const System::PairCouplings<n_of_side> &couplings,
+                        CoarseBlocks                           &coarse) const;
+
+      /** The same for terms between @p blocks some of which are constrained. */
+      template <unsigned int n_of_side>
+      void
+      project_constrained(
+        const System::BlockSystem                               &system,
+        const typename System::PairCouplings<n_of_side>::Blocks &blocks,
+        const typename System::PairCouplings<n_of_side>::Term   *first,
+        const typename System::PairCouplings<n_of_side>::Term   *end,
+        CoarseBlocks                                            &coarse) const;
 
       /** Project what couples own blocks to those of later ranks. */
       void

@@ -2,6 +2,7 @@
 #define heddle_system_block_system_h
 
 #include <heddle/system/local_blocks.h>
+#include <heddle/system/pair_couplings.h>
 #include <heddle/system/state.h>
 #include <heddle/system/unsymmetric_terms.h>
 
@@ -50,8 +51,21 @@ namespace Heddle
         std::array<double, 3> pending; /**< what remains to be moved */
       };
 
-      /** @p symmetric halves the storage and permits LDL^T and CG. */
-      BlockSystem(const State &state, const bool symmetric);
+      /** A part of the tangent, the smaller one first. */
+      enum class Part
+      {
+        symmetric,
+        whole
+      };
+
+      /**
+       * @p symmetric halves the storage and permits LDL^T and CG. Solvers that
+       * only multiply with the tangent may keep @p couplings_apart from its
+       * matrix.
+       */
+      BlockSystem(const State &state,
+                  const bool   symmetric,
+                  const bool   couplings_apart = false);
 
       ~BlockSystem();
 
@@ -63,8 +77,11 @@ namespace Heddle
       class Pattern
       {
       public:
-        Pattern(const unsigned int n_owned_blocks)
-          : n_rows(n_owned_blocks)
+        /** With @p couplings_apart for a system that keeps them so. */
+        Pattern(const unsigned int n_owned_blocks,
+                const bool         couplings_apart = false)
+          : couplings_apart(couplings_apart)
+          , n_rows(n_owned_blocks)
         {
         }
 
@@ -81,6 +98,8 @@ namespace Heddle
         /** Sorted local blocks of all rows, each once and with the diagonal. */
         std::vector<std::vector<unsigned int>>
         columns() const;
+
+        const bool couplings_apart;
 
       private:
         void
@@ -102,6 +121,21 @@ namespace Heddle
 
       void
       set_constraints(const std::vector<Constraint> &constraints);
+
+      bool
+      is_constrained(const unsigned int block) const
+      {
+        return constraint_of_block[block] >= 0;
+      }
+
+      /**
+       * A 3x3 block @p value between two local blocks as the matrix has it: in
+       * their frames, and without what is prescribed.
+       */
+      Tensor<2, 3>
+      constrained(const unsigned int row,
+                  const unsigned int column,
+                  Tensor<2, 3>       value) const;
 
       /** Set to zero what @p want asks to be assembled. */
       void
@@ -145,6 +179,39 @@ namespace Heddle
         return unsymmetric;
       }
 
+      /** Whether what couples two fibers is to be kept there as well, ... */
+      bool
+      keeps_couplings_apart() const
+      {
+        return couplings_apart;
+      }
+
+      /** ... where contact is ... */
+      AxisCouplings &
+      axis_couplings()
+      {
+        return of_axes;
+      }
+
+      const AxisCouplings &
+      axis_couplings() const
+      {
+        return of_axes;
+      }
+
+      /** ... and where surfaces rub. */
+      SectionCouplings &
+      section_couplings()
+      {
+        return of_sections;
+      }
+
+      const SectionCouplings &
+      section_couplings() const
+      {
+        return of_sections;
+      }
+
       /** Add to the residual of an owned block. */
       void
       add_force(const unsigned int block, const Tensor<1, 3> &force)
@@ -177,27 +244,38 @@ namespace Heddle
       void
       unbalanced(std::vector<Tensor<1, 3>> &values) const;
 
-      /** The tangent, n_dofs x n_dofs, SBAIJ or BAIJ of block size 3. */
+      /**
+       * The matrix of the tangent, n_dofs x n_dofs, SBAIJ or BAIJ of block size
+       * 3.
+       */
       Mat
       tangent() const
       {
         return matrix;
       }
 
-      /** Whether any rank has terms that tangent() lacks. */
+      /** Whether any rank has a part of the tangent that its matrix lacks. */
       bool
       has_unsymmetric_terms() const
       {
         return any_unsymmetric;
       }
 
+      bool
+      has_couplings_apart() const
+      {
+        return any_couplings;
+      }
+
       /**
-       * Add to @p product what those terms make of @p vector, both in the
-       * layout of the tangent.
+       * Add to @p product what @p part of the tangent, without its matrix,
+       * makes of @p vector, both in the layout of the tangent.
        * @note Collective.
        */
       void
-      add_unsymmetric_product(const double *vector, double *product) const;
+      add_product_of_terms(const Part    part,
+                           const double *vector,
+                           double       *product) const;
 
       /** Vectors in the layout of the tangent, for the solver. */
       Vec
@@ -238,13 +316,23 @@ namespace Heddle
 
       /** Take what prescribed motion raises there to the right-hand side. */
       void
-      lift_unsymmetric();
+      lift_terms();
+
+      /** Add what @p part of the terms raises by @p motion. */
+      void
+      add_product_of_terms(const Part                       part,
+                           const std::vector<Tensor<1, 3>> &motion,
+                           std::vector<Tensor<1, 3>>       &forces) const;
 
       const bool symmetric;
+      const bool couplings_apart;
       Want       want = Want::residual;
 
       UnsymmetricTerms                  unsymmetric;
+      AxisCouplings                     of_axes;
+      SectionCouplings                  of_sections;
       bool                              any_unsymmetric = false;
+      bool                              any_couplings   = false;
       mutable std::vector<Tensor<1, 3>> motion, raised; /**< by these terms */
 
       std::vector<Tensor<1, 3>> forces;
