@@ -176,8 +176,8 @@ namespace Heddle
       if (system.wants_tangent() && !elements.empty())
         system.unsymmetric_terms().reserve(
           elements.size(),
-          elements.size() * elements.front().n_blocks,
-          elements.size() * FrictionElement::n_axis_blocks);
+          elements.size() *
+            (elements.front().n_blocks + FrictionElement::n_axis_blocks));
       SummedTerms of_pairs(system), of_a(system), of_b(system);
       for (const Element &element : elements)
         {
@@ -283,25 +283,25 @@ namespace Heddle
       // The wider the gap, the less friction, in its direction.
       const Tensor<1, 3> less =
         -element.limit_stiffness * element.law.part_of_limit(u);
-      const double along  = less * element.axes[0],
-                   across = less * element.axes[1];
-      const FrictionElement::Derivative by(element);
-      terms.add_term();
-      for (unsigned int i = 0; i < element.n_blocks; ++i)
-        {
-          Tensor<1, 3> value;
-          for (unsigned int d = 0; d < 3; ++d)
-            value[d] =
-              along * by.rows[0][3 * i + d] + across * by.rows[1][3 * i + d];
-          terms.add_force(element.blocks[i], value);
-        }
-      for (unsigned int side = 0; side < 2; ++side)
-        for (unsigned int i = 0; i < FrictionElement::n_axis_blocks / 2; ++i)
-          {
-            const unsigned int k = side * (element.n_blocks / 2) + i;
-            terms.add_motion(element.blocks[k],
-                             element.all_weights()[k] * element.normal);
-          }
+      const std::array<double, 2> components = {
+        {less * element.axes[0], less * element.axes[1]}};
+      element.for_each_force(
+        components,
+        [&](const Tensor<1, 3> &force,
+            const unsigned int  first,
+            const unsigned int  end,
+            const auto         &weight_of) {
+          terms.add_term(force, element.normal);
+          for (unsigned int side = 0; side < 2; ++side)
+            for (unsigned int i = 0; i < FrictionElement::n_axis_blocks / 2;
+                 ++i)
+              {
+                const unsigned int k = side * (element.n_blocks / 2) + i;
+                terms.add_motion(element.blocks[k], element.all_weights()[k]);
+              }
+          for (unsigned int i = first; i < end; ++i)
+            terms.add_force(element.blocks[i], weight_of(i));
+        });
     }
 
 

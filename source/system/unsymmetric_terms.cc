@@ -1,5 +1,7 @@
 #include <heddle/system/unsymmetric_terms.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace Heddle
 {
   namespace System
@@ -8,66 +10,69 @@ namespace Heddle
     UnsymmetricTerms::clear()
     {
       terms.clear();
-      forces.clear();
-      motions.clear();
+      blocks.clear();
+      weights.clear();
     }
 
 
 
     void
     UnsymmetricTerms::reserve(const std::size_t n_terms,
-                              const std::size_t n_forces,
-                              const std::size_t n_motions)
+                              const std::size_t n_blocks)
     {
       terms.reserve(n_terms);
-      forces.reserve(n_forces);
-      motions.reserve(n_motions);
+      blocks.reserve(n_blocks);
+      weights.reserve(n_blocks);
     }
 
 
 
     void
-    UnsymmetricTerms::add_term()
+    UnsymmetricTerms::add_term(const Tensor<1, 3> &force,
+                               const Tensor<1, 3> &motion)
     {
-      terms.push_back({static_cast<unsigned int>(forces.size()),
-                       static_cast<unsigned int>(motions.size())});
+      const unsigned int n = blocks.size();
+      terms.push_back({force, motion, n, n});
     }
 
 
 
     void
-    UnsymmetricTerms::add_force(const unsigned int  block,
-                                const Tensor<1, 3> &value)
+    UnsymmetricTerms::add_motion(const unsigned int block, const double weight)
     {
-      forces.push_back({block, value});
-      terms.back().forces_end = forces.size();
+      Assert(terms.back().forces_end == terms.back().motions_end,
+             ExcMessage("Forces come after motions."));
+      blocks.push_back(block);
+      weights.push_back(weight);
+      terms.back().forces_end = terms.back().motions_end = blocks.size();
     }
 
 
 
     void
-    UnsymmetricTerms::add_motion(const unsigned int  block,
-                                 const Tensor<1, 3> &value)
+    UnsymmetricTerms::add_force(const unsigned int block, const double weight)
     {
-      motions.push_back({block, value});
-      terms.back().motions_end = motions.size();
+      blocks.push_back(block);
+      weights.push_back(weight);
+      terms.back().forces_end = blocks.size();
     }
 
 
 
     void
     UnsymmetricTerms::add_product(const std::vector<Tensor<1, 3>> &motion,
-                                  std::vector<Tensor<1, 3>> &all_forces) const
+                                  std::vector<Tensor<1, 3>>       &forces) const
     {
-      unsigned int f = 0, m = 0;
+      unsigned int k = 0;
       for (const Term &term : terms)
         {
-          double along = 0.;
-          for (; m < term.motions_end; ++m)
-            along += motions[m].value * motion[motions[m].block];
-          for (; f < term.forces_end; ++f)
-            if (forces[f].block < all_forces.size())
-              all_forces[forces[f].block] += along * forces[f].value;
+          Tensor<1, 3> sum;
+          for (; k < term.motions_end; ++k)
+            sum += weights[k] * motion[blocks[k]];
+          const Tensor<1, 3> force = (term.motion * sum) * term.force;
+          for (; k < term.forces_end; ++k)
+            if (blocks[k] < forces.size())
+              forces[blocks[k]] += weights[k] * force;
         }
     }
   } // namespace System

@@ -72,12 +72,11 @@ public:
       if (!symmetric)
         return;
       System::UnsymmetricTerms &terms = system->unsymmetric_terms();
-      terms.add_term();
+      terms.add_term(force, motion);
       for (unsigned int i = 0; i < 2; ++i)
-        {
-          terms.add_force(blocks[i], signs[i] * force);
-          terms.add_motion(blocks[i], signs[i] * motion);
-        }
+        terms.add_motion(blocks[i], signs[i]);
+      for (unsigned int i = 0; i < 2; ++i)
+        terms.add_force(blocks[i], signs[i]);
     });
     for (unsigned int b = 0; b < state->n_owned_blocks(); ++b)
       system->add_diagonal(b, 0.1);

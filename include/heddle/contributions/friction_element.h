@@ -94,6 +94,29 @@ namespace Heddle
         std::array<std::array<double, 3 * max_blocks>, 2> rows;
       };
 
+      /**
+       * Call @p action(force, first, end, weight_of) for the forces on blocks
+       * first to end that both @p components of the friction make: force times
+       * the weight_of(i) of block i.
+       */
+      template <typename Action>
+      void
+      for_each_force(const std::array<double, 2> &components,
+                     const Action                &action) const
+      {
+        const auto sum = [&components](const Tensor<1, 3> *vectors) {
+          return components[0] * vectors[0] + components[1] * vectors[1];
+        };
+        action(sum(by_separation), 0, n_blocks, [this](const unsigned int i) {
+          return weights[i];
+        });
+        for (unsigned int side = 0; side < 2 && !has_sections(); ++side)
+          action(sum(by_tangent[side]),
+                 4 * side,
+                 4 * side + 4,
+                 [this](const unsigned int i) { return slopes[i]; });
+      }
+
       /** Change of the displacement with the motion @p values of blocks. */
       Tensor<1, 3>
       change(const Values &values) const;

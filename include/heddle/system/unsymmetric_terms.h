@@ -12,29 +12,22 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * The part of a tangent that is not symmetric, as a sum of products
-     * @f$f g^T@f$ of two vectors with few blocks: a motion x raises the forces
-     * @f$f (g \cdot x)@f$. It is kept as it is and only ever multiplied with a
-     * motion: its matrix would have many times as many numbers.
+     * The part of a tangent that is not symmetric, as a sum of products: a
+     * motion x raises the forces
+     * @f$f_i = v_i F \, (G \cdot \sum_j w_j x_j)@f$ with weights of few blocks
+     * i and j, and two vectors F and G. It is kept as it is and only ever
+     * multiplied with a motion: its matrix would have many times as many
+     * numbers.
      */
     class UnsymmetricTerms
     {
     public:
-      /** One block of a vector. */
-      struct Entry
-      {
-        unsigned int block; /**< local number */
-        Tensor<1, 3> value;
-      };
-
       void
       clear();
 
-      /** Have room for so many terms, and blocks of their vectors. */
+      /** Have room for so many terms, and blocks of both kinds together. */
       void
-      reserve(const std::size_t n_terms,
-              const std::size_t n_forces,
-              const std::size_t n_motions);
+      reserve(const std::size_t n_terms, const std::size_t n_blocks);
 
       bool
       empty() const
@@ -42,15 +35,20 @@ namespace Heddle
         return terms.empty();
       }
 
-      /** Begin a term, whose vectors then are added to block by block. */
+      /**
+       * Begin a term with the vectors F, @p force, and G, @p motion, that has
+       * no blocks yet.
+       */
       void
-      add_term();
+      add_term(const Tensor<1, 3> &force, const Tensor<1, 3> &motion);
 
+      /** Blocks whose motion counts: all of these come first, ... */
       void
-      add_force(const unsigned int block, const Tensor<1, 3> &value);
+      add_motion(const unsigned int block, const double weight);
 
+      /** ... then those that a force acts on. */
       void
-      add_motion(const unsigned int block, const Tensor<1, 3> &value);
+      add_force(const unsigned int block, const double weight);
 
       /**
        * Add to @p forces, those of the blocks that it has, what is raised by
@@ -61,14 +59,17 @@ namespace Heddle
                   std::vector<Tensor<1, 3>>       &forces) const;
 
     private:
-      /** Where the entries of a term end. */
       struct Term
       {
-        unsigned int forces_end, motions_end;
+        Tensor<1, 3> force, motion;
+
+        /** Where its blocks of either kind end. */
+        unsigned int motions_end, forces_end;
       };
 
-      std::vector<Term>  terms;
-      std::vector<Entry> forces, motions;
+      std::vector<Term>         terms;
+      std::vector<unsigned int> blocks;
+      std::vector<double>       weights;
     };
   } // namespace System
 } // namespace Heddle
