@@ -104,15 +104,6 @@ namespace Heddle
 
 
     bool
-    FiberFriction::keeps_apart(const bool couplings_apart) const
-    {
-      // Without sections friction couples the blocks that contact does.
-      return couplings_apart && space.n_blocks_per_node() == 3;
-    }
-
-
-
-    bool
     FiberFriction::needs_new_pattern() const
     {
       if (pattern_covers_all)
@@ -128,7 +119,10 @@ namespace Heddle
     FiberFriction::add_pattern(const System::State          &state,
                                System::BlockSystem::Pattern &pattern)
     {
-      pattern_covers_all = keeps_apart(pattern.couplings_apart);
+      // Without sections the displacement follows from the tangents too, and
+      // what couples the fibers is in the matrix.
+      pattern_covers_all =
+        pattern.couplings_apart && space.n_blocks_per_node() == 3;
       if (pattern_covers_all)
         {
           const auto owned = space.owned_fibers();
@@ -141,8 +135,8 @@ namespace Heddle
           return;
         }
 
-      // Not those that may come to touch as well, as for contact: friction
-      // couples many blocks, and the matrix would be half as large again.
+      // Not those that may come to touch as well, as for contact: with sections
+      // the matrix would be half as large again.
       Contact::extend_pairs(pattern_pairs, interval_pairs(space, elements));
       for (const Contact::CandidatePair &pair : pattern_pairs)
         {
@@ -173,23 +167,20 @@ namespace Heddle
     {
       Assert(ghost_version == state.ghost_version(),
              ExcMessage("Elements have the numbers that blocks had before."));
-      if (system.wants_tangent() && !elements.empty())
-        system.unsymmetric_terms().reserve(
-          elements.size(),
-          elements.size() *
-            (elements.front().n_blocks + FrictionElement::n_axis_blocks));
+      if (system.wants_tangent())
+        reserve(system.unsymmetric_terms());
       SummedTerms of_pairs(system), of_a(system), of_b(system);
       for (const Element &element : elements)
         {
-          const Response response = respond(state, element);
-          if (keeps_apart(system.keeps_couplings_apart()))
+          const Response response =
+            respond(state, element, system.wants_tangent());
+          if (system.keeps_couplings_apart() && element.has_sections())
             add_apart(element, response, of_a, of_b, system);
           else
-            add(element, response, of_pairs, system);
+            add(element, response, of_pairs);
           if (system.wants_tangent() && element.limit_stiffness > 0.)
-            add_change_of_limit(element,
-                                element.displacement(state.current()),
-                                system.unsymmetric_terms());
+            add_change_of_limit(
+              element, response.displacement, system.unsymmetric_terms());
         }
       for (SummedTerms *terms : {&of_pairs, &of_a, &of_b})
         terms->end();
@@ -197,27 +188,48 @@ namespace Heddle
 
 
 
+    void
+    FiberFriction::reserve(System::UnsymmetricTerms &terms) const
+    {
+      if (elements.empty())
+        return;
+      const bool sections = elements.front().has_sections();
+      terms.reserve(elements.size(),
+                    (sections ? 1 : 3) * elements.size(),
+                    ((sections ? 1 : 2) * elements.front().n_blocks +
+                     FrictionElement::n_axis_blocks) *
+                      elements.size());
+    }
+
+
+
     FiberFriction::Response
     FiberFriction::respond(const System::State &state,
-                           const Element       &element) const
+                           const Element       &element,
+                           const bool           with_stiffness) const
     {
-      const Tensor<1, 3> u     = element.displacement(state.current());
-      const Tensor<1, 3> force = element.law.force(u);
-      const Tensor<2, 3> k     = element.law.stiffness(u, element.normal);
+      Response response        = {};
+      response.displacement    = element.displacement(state.current());
+      const auto        &u     = response.displacement;
       const auto        &axes  = element.axes;
-      return {{{force * axes[0], force * axes[1]}},
-              axes[0] * (k * axes[0]),
-              axes[0] * (k * axes[1]),
-              axes[1] * (k * axes[1])};
+      const Tensor<1, 3> force = element.law.force(u);
+      response.force           = {{force * axes[0], force * axes[1]}};
+      if (with_stiffness)
+        {
+          const Tensor<2, 3> k = element.law.stiffness(u, element.normal);
+          response.along       = axes[0] * (k * axes[0]);
+          response.both        = axes[0] * (k * axes[1]);
+          response.across      = axes[1] * (k * axes[1]);
+        }
+      return response;
     }
 
 
 
     void
-    FiberFriction::add(const Element             &element,
-                       const Response            &response,
-                       SummedTerms               &terms,
-                       const System::BlockSystem &system) const
+    FiberFriction::add(const Element  &element,
+                       const Response &response,
+                       SummedTerms    &terms) const
     {
       terms.begin(element.n_blocks, element.blocks.data());
       const FrictionElement::Derivative by(element);
@@ -226,7 +238,7 @@ namespace Heddle
       for (unsigned int i = 0; i < n; ++i)
         terms.residual()[i] +=
           response.force[0] * by_along[i] + response.force[1] * by_across[i];
-      if (!system.wants_tangent())
+      if (!terms.wants_tangent())
         return;
 
       std::array<double, 3 * FrictionElement::max_blocks> f, g;
@@ -252,25 +264,26 @@ namespace Heddle
                              SummedTerms         &of_b,
                              System::BlockSystem &system) const
     {
-      // The displacement follows from the distance of the particles alone.
-      const Tensor<1, 3> &first  = element.by_distance(0),
-                         &second = element.by_distance(1);
+      // The displacement follows from the separation of the particles alone.
       System::SectionCouplings::Term term;
-      term.weights = element.all_weights();
-      for (unsigned int d = 0; d < 3; ++d)
-        for (unsigned int e = d; e < 3; ++e)
-          term.stiffness[d][e] =
-            response.along * first[d] * first[e] +
-            response.both * (first[d] * second[e] + second[d] * first[e]) +
-            response.across * second[d] * second[e];
+      term.weights = element.separation_weights();
+      if (system.wants_tangent())
+        {
+          const Tensor<1, 3> first  = element.force_by_separation({{1., 0.}}),
+                             second = element.force_by_separation({{0., 1.}});
+          for (unsigned int d = 0; d < 3; ++d)
+            for (unsigned int e = d; e < 3; ++e)
+              term.stiffness[d][e] =
+                response.along * first[d] * first[e] +
+                response.both * (first[d] * second[e] + second[d] * first[e]) +
+                response.across * second[d] * second[e];
+          system.section_couplings().add_term(element.blocks, term);
+        }
       add_side_by_side<8>(element.blocks,
                           term,
-                          response.force[0] * first +
-                            response.force[1] * second,
+                          element.force_by_separation(response.force),
                           of_a,
                           of_b);
-      if (system.wants_tangent())
-        system.section_couplings().add_term(element.blocks, term);
     }
 
 
@@ -285,23 +298,25 @@ namespace Heddle
         -element.limit_stiffness * element.law.part_of_limit(u);
       const std::array<double, 2> components = {
         {less * element.axes[0], less * element.axes[1]}};
-      element.for_each_force(
-        components,
-        [&](const Tensor<1, 3> &force,
-            const unsigned int  first,
-            const unsigned int  end,
-            const auto         &weight_of) {
-          terms.add_term(force, element.normal);
-          for (unsigned int side = 0; side < 2; ++side)
-            for (unsigned int i = 0; i < FrictionElement::n_axis_blocks / 2;
-                 ++i)
-              {
-                const unsigned int k = side * (element.n_blocks / 2) + i;
-                terms.add_motion(element.blocks[k], element.all_weights()[k]);
-              }
-          for (unsigned int i = first; i < end; ++i)
-            terms.add_force(element.blocks[i], weight_of(i));
-        });
+      const unsigned int n       = element.n_blocks;
+      const auto        &blocks  = element.blocks;
+      const auto        &weights = element.separation_weights();
+      terms.begin_term(element.normal);
+      for (unsigned int side = 0; side < 2; ++side)
+        for (unsigned int i = 0; i < FrictionElement::n_axis_blocks / 2; ++i)
+          {
+            const unsigned int k = side * (n / 2) + i;
+            terms.add_motion(blocks[k], weights[k]);
+          }
+      terms.begin_force(element.force_by_separation(components));
+      for (unsigned int i = 0; i < n; ++i)
+        terms.add_force(blocks[i], weights[i]);
+      for (unsigned int side = 0; side < 2 && !element.has_sections(); ++side)
+        {
+          terms.begin_force(element.force_by_tangent(side, components));
+          for (unsigned int i = side * (n / 2); i < (side + 1) * (n / 2); ++i)
+            terms.add_force(blocks[i], element.tangent_weights()[i]);
+        }
     }
 
 

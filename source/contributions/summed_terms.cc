@@ -60,7 +60,7 @@ namespace Heddle
           for (unsigned int i = 0; i < n_of_side; ++i)
             for (unsigned int d = 0; d < 3; ++d)
               terms->residual()[3 * i + d] += weights[i] * force[d];
-          if (terms->want_tangent())
+          if (terms->wants_tangent())
             for (unsigned int d = 0; d < 3; ++d)
               {
                 std::array<double, size> row;

@@ -39,8 +39,8 @@ namespace Heddle
     void
     MatrixBlock::set_up(const System::LocalBlocks &tangent)
     {
-      // The pattern changes with that of contact: all is made anew, which
-      // costs next to nothing.
+      // The pattern may have changed: all is made anew, which costs next to
+      // nothing.
       clear();
       const unsigned int first   = state.n_owned_fiber_blocks(),
                          end     = state.n_owned_blocks();

@@ -137,7 +137,8 @@ namespace Heddle
       linear_solver.reset();
       field_version = state.field_version();
 
-      // Friction is assembled only if the system will be factorized.
+      // What is factorized has to be in the matrix. Where nothing is in contact
+      // a system may be factorized nevertheless: nothing couples fibers then.
       block_system = std::make_unique<System::BlockSystem>(
         state,
         /*symmetric=*/true,

@@ -478,7 +478,7 @@ namespace Heddle
             motion[constraint.block] +=
               constraint.pending[d] * constraint.frame[d];
       raised.assign(state.n_owned_blocks(), Tensor<1, 3>());
-      add_product_of_terms(Part::whole, motion, raised);
+      apply_terms(Part::whole, motion, raised);
       for (const Constraint &constraint : constraints)
         if (constraint.block < raised.size())
           raised[constraint.block] =
@@ -490,14 +490,14 @@ namespace Heddle
 
 
     void
-    BlockSystem::add_product_of_terms(const Part                       part,
-                                      const std::vector<Tensor<1, 3>> &motion,
-                                      std::vector<Tensor<1, 3>> &forces) const
+    BlockSystem::apply_terms(const Part                       part,
+                             const std::vector<Tensor<1, 3>> &of_blocks,
+                             std::vector<Tensor<1, 3>>       &sum) const
     {
-      of_axes.add_product(motion, forces);
-      of_sections.add_product(motion, forces);
+      of_axes.add_product(of_blocks, sum);
+      of_sections.add_product(of_blocks, sum);
       if (part == Part::whole)
-        unsymmetric.add_product(motion, forces);
+        unsymmetric.add_product(of_blocks, sum);
     }
 
 
@@ -507,6 +507,9 @@ namespace Heddle
                                       const double *vector,
                                       double       *product) const
     {
+      if (!any_couplings && (part == Part::symmetric || !any_unsymmetric))
+        return;
+
       // Prescribed components have no part in it: what they raise is lifted.
       const auto free_part = [](const Constraint &constraint,
                                 Tensor<1, 3>      values) {
@@ -527,7 +530,7 @@ namespace Heddle
       state.update_ghosts(motion);
 
       raised.assign(n_owned, Tensor<1, 3>());
-      add_product_of_terms(part, motion, raised);
+      apply_terms(part, motion, raised);
       for (const Constraint &constraint : constraints)
         if (constraint.block < n_owned)
           raised[constraint.block] =

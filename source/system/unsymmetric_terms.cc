@@ -1,7 +1,5 @@
 #include <heddle/system/unsymmetric_terms.h>
 
-#include <deal.II/base/exceptions.h>
-
 namespace Heddle
 {
   namespace System
@@ -10,6 +8,7 @@ namespace Heddle
     UnsymmetricTerms::clear()
     {
       terms.clear();
+      term_forces.clear();
       blocks.clear();
       weights.clear();
     }
@@ -18,9 +17,11 @@ namespace Heddle
 
     void
     UnsymmetricTerms::reserve(const std::size_t n_terms,
+                              const std::size_t n_forces,
                               const std::size_t n_blocks)
     {
       terms.reserve(n_terms);
+      term_forces.reserve(n_forces);
       blocks.reserve(n_blocks);
       weights.reserve(n_blocks);
     }
@@ -28,11 +29,10 @@ namespace Heddle
 
 
     void
-    UnsymmetricTerms::add_term(const Tensor<1, 3> &force,
-                               const Tensor<1, 3> &motion)
+    UnsymmetricTerms::begin_term(const Tensor<1, 3> &motion)
     {
-      const unsigned int n = blocks.size();
-      terms.push_back({force, motion, n, n});
+      terms.push_back({{motion, static_cast<unsigned int>(blocks.size())},
+                       static_cast<unsigned int>(term_forces.size())});
     }
 
 
@@ -40,11 +40,18 @@ namespace Heddle
     void
     UnsymmetricTerms::add_motion(const unsigned int block, const double weight)
     {
-      Assert(terms.back().forces_end == terms.back().motions_end,
-             ExcMessage("Forces come after motions."));
       blocks.push_back(block);
       weights.push_back(weight);
-      terms.back().forces_end = terms.back().motions_end = blocks.size();
+      terms.back().motion.blocks_end = blocks.size();
+    }
+
+
+
+    void
+    UnsymmetricTerms::begin_force(const Tensor<1, 3> &force)
+    {
+      term_forces.push_back({force, static_cast<unsigned int>(blocks.size())});
+      terms.back().forces_end = term_forces.size();
     }
 
 
@@ -54,7 +61,7 @@ namespace Heddle
     {
       blocks.push_back(block);
       weights.push_back(weight);
-      terms.back().forces_end = blocks.size();
+      term_forces.back().blocks_end = blocks.size();
     }
 
 
@@ -63,16 +70,20 @@ namespace Heddle
     UnsymmetricTerms::add_product(const std::vector<Tensor<1, 3>> &motion,
                                   std::vector<Tensor<1, 3>>       &forces) const
     {
-      unsigned int k = 0;
+      unsigned int k = 0, f = 0;
       for (const Term &term : terms)
         {
           Tensor<1, 3> sum;
-          for (; k < term.motions_end; ++k)
+          for (; k < term.motion.blocks_end; ++k)
             sum += weights[k] * motion[blocks[k]];
-          const Tensor<1, 3> force = (term.motion * sum) * term.force;
-          for (; k < term.forces_end; ++k)
-            if (blocks[k] < forces.size())
-              forces[blocks[k]] += weights[k] * force;
+          const double along = term.motion.vector * sum;
+          for (; f < term.forces_end; ++f)
+            {
+              const Tensor<1, 3> force = along * term_forces[f].vector;
+              for (; k < term_forces[f].blocks_end; ++k)
+                if (blocks[k] < forces.size())
+                  forces[blocks[k]] += weights[k] * force;
+            }
         }
     }
   } // namespace System

@@ -72,9 +72,10 @@ public:
       if (!symmetric)
         return;
       System::UnsymmetricTerms &terms = system->unsymmetric_terms();
-      terms.add_term(force, motion);
+      terms.begin_term(motion);
       for (unsigned int i = 0; i < 2; ++i)
         terms.add_motion(blocks[i], signs[i]);
+      terms.begin_force(force);
       for (unsigned int i = 0; i < 2; ++i)
         terms.add_force(blocks[i], signs[i]);
     });

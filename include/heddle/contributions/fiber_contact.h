@@ -112,10 +112,12 @@ namespace Heddle
         return std::max(statistics.mean_force, 0.01 * largest_mean_force);
       }
 
+      /** Others may have made a pattern meanwhile. */
       void
       begin_stage(const System::State &) override
       {
         largest_mean_force = 0.;
+        pattern_covers_all = false;
       }
 
       std::string
@@ -270,7 +272,10 @@ namespace Heddle
 
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;
-      bool                                pattern_covers_all = false;
+
+      /** Whether it has what couples the blocks of any interval, and no pairs.
+       */
+      bool pattern_covers_all = false;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -31,8 +31,8 @@ namespace Heddle
      *
      * Elements are placed anew with those of contact, whenever the
      * configuration changes: what is found to be in equilibrium is so for the
-     * normal forces that it has. The tangent leaves out that these change; it
-     * stays symmetric.
+     * normal forces that it has. The symmetric part of the tangent leaves out
+     * that these change; the unsymmetric terms say it.
      */
     class FiberFriction : public System::Contribution
     {
@@ -93,6 +93,14 @@ namespace Heddle
       void
       load(const ArchiveReader &archive, const System::State &state) override;
 
+      /** Others may have made a pattern meanwhile. */
+      void
+      begin_stage(const System::State &) override
+      {
+        pattern_covers_all = false;
+        pattern_pairs.clear();
+      }
+
       void
       load_initial(const ArchiveReader &archive,
                    const System::State &state) override
@@ -123,28 +131,30 @@ namespace Heddle
       place_elements(const System::State &state);
 
       /**
-       * Components of the force of friction along the fibers and across, and of
-       * its derivative by those of the displacement.
+       * Components of the force of friction along the fibers and across, and,
+       * if wanted, of its derivative by those of the displacement.
        */
       struct Response
       {
+        Tensor<1, 3>          displacement;        /**< [mm] */
         std::array<double, 2> force;               /**< [N] */
         double                along, both, across; /**< [N/mm] */
       };
 
       Response
-      respond(const System::State &state, const Element &element) const;
+      respond(const System::State &state,
+              const Element       &element,
+              const bool           with_stiffness) const;
 
-      /** Whether couplings of fibers are no part of the matrix. */
-      bool
-      keeps_apart(const bool couplings_apart) const;
+      /** Have room for the change of all limits. */
+      void
+      reserve(System::UnsymmetricTerms &terms) const;
 
       /** Add an element to @p terms, of residual and matrix. */
       void
-      add(const Element             &element,
-          const Response            &response,
-          SummedTerms               &terms,
-          const System::BlockSystem &system) const;
+      add(const Element  &element,
+          const Response &response,
+          SummedTerms    &terms) const;
 
       /**
        * Add what acts on both fibers one by one to @p of_a and @p of_b, and
@@ -196,10 +206,13 @@ namespace Heddle
 
       /** Pairs of fiber intervals that the pattern of the tangent covers. */
       std::vector<Contact::CandidatePair> pattern_pairs;
-      bool                                pattern_covers_all = false;
-      unsigned int                        ghost_version      = 0;
-      double                              stored     = 0.; /**< [N mm] */
-      double                              dissipated = 0.; /**< [N mm] */
+
+      /** Whether it has what couples the blocks of any interval, and no pairs.
+       */
+      bool         pattern_covers_all = false;
+      unsigned int ghost_version      = 0;
+      double       stored             = 0.; /**< [N mm] */
+      double       dissipated         = 0.; /**< [N mm] */
     };
   } // namespace Contributions
 } // namespace Heddle

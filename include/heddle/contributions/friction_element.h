@@ -94,29 +94,6 @@ namespace Heddle
         std::array<std::array<double, 3 * max_blocks>, 2> rows;
       };
 
-      /**
-       * Call @p action(force, first, end, weight_of) for the forces on blocks
-       * first to end that both @p components of the friction make: force times
-       * the weight_of(i) of block i.
-       */
-      template <typename Action>
-      void
-      for_each_force(const std::array<double, 2> &components,
-                     const Action                &action) const
-      {
-        const auto sum = [&components](const Tensor<1, 3> *vectors) {
-          return components[0] * vectors[0] + components[1] * vectors[1];
-        };
-        action(sum(by_separation), 0, n_blocks, [this](const unsigned int i) {
-          return weights[i];
-        });
-        for (unsigned int side = 0; side < 2 && !has_sections(); ++side)
-          action(sum(by_tangent[side]),
-                 4 * side,
-                 4 * side + 4,
-                 [this](const unsigned int i) { return slopes[i]; });
-      }
-
       /** Change of the displacement with the motion @p values of blocks. */
       Tensor<1, 3>
       change(const Values &values) const;
@@ -132,22 +109,38 @@ namespace Heddle
         return n_blocks == max_blocks;
       }
 
-      /** How the blocks move the particles apart; of the axes all do [-, mm].
-       */
+      /** How the n_blocks first blocks make up the separation [-, mm]. */
       const Weights &
-      all_weights() const
+      separation_weights() const
       {
         return weights;
       }
 
-      /**
-       * How component @p k of the displacement grows with that, which is all
-       * that it depends on where there are sections.
-       */
-      const Tensor<1, 3> &
-      by_distance(const unsigned int k) const
+      /** How those of the axes of both fibers make up their tangents. */
+      const std::array<double, n_axis_blocks> &
+      tangent_weights() const
       {
-        return by_separation[k];
+        return slopes;
+      }
+
+      /**
+       * What both @p components of friction, along the fibers and across, make
+       * of the separation and, without sections, of the tangent of one side:
+       * the force on a block is that, times its weight.
+       */
+      Tensor<1, 3>
+      force_by_separation(const std::array<double, 2> &components) const
+      {
+        return components[0] * by_separation[0] +
+               components[1] * by_separation[1];
+      }
+
+      Tensor<1, 3>
+      force_by_tangent(const unsigned int           side,
+                       const std::array<double, 2> &components) const
+      {
+        return components[0] * by_tangent[side][0] +
+               components[1] * by_tangent[side][1];
       }
 
       unsigned int fiber_a, fiber_b;
@@ -184,7 +177,7 @@ namespace Heddle
       Weights weights;
 
       /** How those of the axes make up the tangents of both fibers. */
-      std::array<double, 8> slopes;
+      std::array<double, n_axis_blocks> slopes;
 
       /**
        * How components of the displacement grow with the separation of the

@@ -21,6 +21,13 @@ namespace Heddle
     public:
       explicit SummedTerms(System::BlockSystem &system);
 
+      /** Whether the system wants a tangent. */
+      bool
+      wants_tangent() const
+      {
+        return system.wants_tangent();
+      }
+
       /** From now on terms act on these @p n blocks. */
       void
       begin(const unsigned int n, const unsigned int *blocks);
@@ -30,12 +37,6 @@ namespace Heddle
       residual()
       {
         return residual_sum.data();
-      }
-
-      bool
-      want_tangent() const
-      {
-        return system.wants_tangent();
       }
 
       /** ... and 3 n rows of 3 n numbers, if the system wants a tangent. */

@@ -25,7 +25,7 @@ namespace Heddle
       BlockPreconditioner(const System::State &state);
 
       /**
-       * Take the blocks from @p tangent and prepare them, with or without the
+       * Take the blocks from @p system and prepare them, with or without the
        * correction of @p yarn_motions.
        */
       void

@@ -28,9 +28,14 @@ namespace Heddle
      * keeps its own rows only. So nothing is sent during assembly, and a term
      * between fibers of two ranks is computed by both.
      *
+     * Two parts of the tangent stay beside the matrix, for they are only ever
+     * multiplied with: the unsymmetric one, and, if so wanted, what couples two
+     * fibers.
+     *
      * A block may be *constrained*: some of its components along the rows of an
      * orthonormal frame have to move by a prescribed amount. They are
-     * eliminated while elements are added, which keeps the matrix symmetric.
+     * eliminated while elements are added, which keeps the matrix symmetric,
+     * and from products with what is beside it.
      */
     class BlockSystem
     {
@@ -51,7 +56,7 @@ namespace Heddle
         std::array<double, 3> pending; /**< what remains to be moved */
       };
 
-      /** A part of the tangent, the smaller one first. */
+      /** Without or with the unsymmetric terms. */
       enum class Part
       {
         symmetric,
@@ -179,7 +184,7 @@ namespace Heddle
         return unsymmetric;
       }
 
-      /** Whether what couples two fibers is to be kept there as well, ... */
+      /** Whether what couples fibers is to be kept beside the matrix, ... */
       bool
       keeps_couplings_apart() const
       {
@@ -254,13 +259,14 @@ namespace Heddle
         return matrix;
       }
 
-      /** Whether any rank has a part of the tangent that its matrix lacks. */
+      /** Whether any rank has unsymmetric terms, ... */
       bool
       has_unsymmetric_terms() const
       {
         return any_unsymmetric;
       }
 
+      /** ... and symmetric ones that are not in the matrix. */
       bool
       has_couplings_apart() const
       {
@@ -318,11 +324,11 @@ namespace Heddle
       void
       lift_terms();
 
-      /** Add what @p part of the terms raises by @p motion. */
+      /** Add to @p sum the forces that the terms of @p part raise. */
       void
-      add_product_of_terms(const Part                       part,
-                           const std::vector<Tensor<1, 3>> &motion,
-                           std::vector<Tensor<1, 3>>       &forces) const;
+      apply_terms(const Part                       part,
+                  const std::vector<Tensor<1, 3>> &of_blocks,
+                  std::vector<Tensor<1, 3>>       &sum) const;
 
       const bool symmetric;
       const bool couplings_apart;

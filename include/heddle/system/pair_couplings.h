@@ -15,7 +15,7 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * What couples the blocks of one fiber with those of another one in a
+     * What couples the particles of two fibers, or two of one fiber, in a
      * symmetric tangent, kept as the few numbers that it is made of. A term has
      * @p n_of_side blocks, with a weight each, on either side, a and b, and a
      * stiffness k: a motion x raises the forces

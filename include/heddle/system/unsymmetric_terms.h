@@ -15,9 +15,9 @@ namespace Heddle
      * The part of a tangent that is not symmetric, as a sum of products: a
      * motion x raises the forces
      * @f$f_i = v_i F \, (G \cdot \sum_j w_j x_j)@f$ with weights of few blocks
-     * i and j, and two vectors F and G. It is kept as it is and only ever
-     * multiplied with a motion: its matrix would have many times as many
-     * numbers.
+     * i and j, a vector G, and one or more vectors F with blocks of their own.
+     * It is kept as it is and only ever multiplied with a motion: its matrix
+     * would have many times as many numbers.
      */
     class UnsymmetricTerms
     {
@@ -25,9 +25,14 @@ namespace Heddle
       void
       clear();
 
-      /** Have room for so many terms, and blocks of both kinds together. */
+      /**
+       * Have room for so many terms, vectors F, and blocks of both kinds
+       * together.
+       */
       void
-      reserve(const std::size_t n_terms, const std::size_t n_blocks);
+      reserve(const std::size_t n_terms,
+              const std::size_t n_forces,
+              const std::size_t n_blocks);
 
       bool
       empty() const
@@ -35,18 +40,19 @@ namespace Heddle
         return terms.empty();
       }
 
-      /**
-       * Begin a term with the vectors F, @p force, and G, @p motion, that has
-       * no blocks yet.
-       */
+      /** Begin a term with the vector G, ... */
       void
-      add_term(const Tensor<1, 3> &force, const Tensor<1, 3> &motion);
+      begin_term(const Tensor<1, 3> &motion);
 
-      /** Blocks whose motion counts: all of these come first, ... */
+      /** ... of the blocks whose motion counts: all of these come first; */
       void
       add_motion(const unsigned int block, const double weight);
 
-      /** ... then those that a force acts on. */
+      /** ... then come the vectors F, each of them ... */
+      void
+      begin_force(const Tensor<1, 3> &force);
+
+      /** ... with the blocks that it acts on. */
       void
       add_force(const unsigned int block, const double weight);
 
@@ -59,15 +65,21 @@ namespace Heddle
                   std::vector<Tensor<1, 3>>       &forces) const;
 
     private:
+      /** A vector, and where its blocks end. */
+      struct Weighted
+      {
+        Tensor<1, 3> vector;
+        unsigned int blocks_end;
+      };
+
       struct Term
       {
-        Tensor<1, 3> force, motion;
-
-        /** Where its blocks of either kind end. */
-        unsigned int motions_end, forces_end;
+        Weighted     motion;
+        unsigned int forces_end;
       };
 
       std::vector<Term>         terms;
+      std::vector<Weighted>     term_forces;
       std::vector<unsigned int> blocks;
       std::vector<double>       weights;
     };
