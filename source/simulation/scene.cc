@@ -388,18 +388,18 @@ namespace Heddle
       const double idle =
         165e6 * Utilities::MPI::n_mpi_processes(fiber_space->communicator());
 
-      // Measured with 6 000 to 270 000 unknowns, and met to a fifth with
-      // conjugate gradients, see doc/benchmarks.md: elements, bands and vectors
-      // by unknowns; tangent and cells of contact by watched cells, of which
-      // there are about 16 for a node of a packed yarn; friction couples twice
-      // as many blocks. A sparse factorization takes far more.
+      // Measured with 30 000 to 270 000 unknowns, and met to a fifth with
+      // conjugate gradients, see doc/benchmarks.md: elements, matrix, bands and
+      // vectors by unknowns; cells and what couples fibers by watched cells, of
+      // which there are about 16 for a node of a packed yarn. A sparse
+      // factorization takes far more.
       const double n_dofs = fiber_space->n_dofs();
       const double fibers =
         will_be_factorized(n_matrix_nodes)
           ? (fiber_friction ? 14e3 : 7e3) * n_dofs
-          : 1.14e3 * n_dofs +
+          : 0.88e3 * n_dofs +
               (fiber_contact ? 16. * fiber_space->n_nodes() : 0.) *
-                (fiber_friction ? 1.96e3 : 0.83e3);
+                (fiber_friction ? 1.16e3 : 0.47e3);
 
       // Nodes of the matrix are coupled to those of the cells around them:
       // blocks of 3 x 3.
@@ -417,7 +417,7 @@ namespace Heddle
       // Measured with 6 000 to 270 000 unknowns on one rank, and met to a
       // third.
       const double n_dofs = fiber_space->n_dofs() + 3. * n_matrix_nodes;
-      return (will_be_factorized(n_matrix_nodes) ? 16e-6 : 6e-6) * n_dofs /
+      return (will_be_factorized(n_matrix_nodes) ? 16e-6 : 4.5e-6) * n_dofs /
              Utilities::MPI::n_mpi_processes(fiber_space->communicator());
     }
   } // namespace Simulation
