@@ -1,7 +1,6 @@
 #include <heddle/contributions/summed_terms.h>
 
 #include <algorithm>
-#include <array>
 
 namespace Heddle
 {
@@ -63,10 +62,13 @@ namespace Heddle
           if (terms->wants_tangent())
             for (unsigned int d = 0; d < 3; ++d)
               {
-                std::array<double, size> row;
+                const double stiffness[3] = {term.stiffness[d][0],
+                                             term.stiffness[d][1],
+                                             term.stiffness[d][2]};
+                double       row[size];
                 for (unsigned int j = 0; j < n_of_side; ++j)
                   for (unsigned int e = 0; e < 3; ++e)
-                    row[3 * j + e] = weights[j] * term.stiffness[d][e];
+                    row[3 * j + e] = weights[j] * stiffness[e];
                 for (unsigned int i = 0; i < n_of_side; ++i)
                   {
                     double *sum = terms->tangent() + size * (3 * i + d);

@@ -1,8 +1,8 @@
 // Where friction begins the forces on the fibers balance on average: their root
 // mean square is below 0.6 typical forces, whatever a few fibers do that are
-// still on their way. Of some packings the skin of the fibers is gone before,
-// which alone was not enough: fabrics that friction held there had other forces
-// when they were pulled. Mean and largest residual are printed to the screen.
+// still on their way. The skin of the fibers is gone before, which alone was
+// not enough: fabrics that friction held there had other forces when they were
+// pulled. Mean and largest residual are printed to the screen.
 #include <heddle/simulation/scene.h>
 
 #include "../tests.h"
@@ -13,11 +13,12 @@
 
 using namespace Heddle;
 
-constexpr unsigned int first_packing = 4, last_packing = 6;
+/** A packing in which that differs, one for the sake of Debug's time. */
+constexpr unsigned int seed = 5;
 
 /** Two and two yarns of twelve fibers, shifted as far as gaps allow. */
 std::string
-scene_of(const unsigned int seed)
+scene_text()
 {
   return "subsection Weave\n"
          "  set End length = 1\n"
@@ -49,10 +50,10 @@ scene_of(const unsigned int seed)
 
 /** The residual where the stage before friction ends. */
 Solver::Residual
-come_near(const unsigned int seed)
+come_near()
 {
   const std::string name = "calm.prm";
-  std::ofstream(name) << scene_of(seed);
+  std::ofstream(name) << scene_text();
   const Simulation::Parameters parameters{ParameterFile(name)};
   Simulation::Scene            scene(parameters, name, MPI_COMM_WORLD);
   const Simulation::Stage     &stage = scene.stages().front();
@@ -83,16 +84,11 @@ come_near(const unsigned int seed)
 int
 main(int argc, char **argv)
 {
-  MPITest test(argc, argv);
-  bool    balanced = true, any_on_its_way = false;
-  for (unsigned int seed = first_packing; seed <= last_packing; ++seed)
-    {
-      const Solver::Residual residual = come_near(seed);
-      std::cout << "packing " << seed << ": residual " << residual.mean_ratio
-                << " in the mean, at most " << residual.ratio << std::endl;
-      balanced       = balanced && residual.mean_ratio < 0.6;
-      any_on_its_way = any_on_its_way || residual.ratio > 2.;
-    }
-  deallog << "balanced on average " << balanced
-          << ", some fiber still on its way " << any_on_its_way << std::endl;
+  MPITest                test(argc, argv);
+  const Solver::Residual residual = come_near();
+  std::cout << "residual " << residual.mean_ratio << " in the mean, at most "
+            << residual.ratio << std::endl;
+  deallog << "balanced on average " << (residual.mean_ratio < 0.6)
+          << ", some fiber still on its way " << (residual.ratio > 2.)
+          << std::endl;
 }

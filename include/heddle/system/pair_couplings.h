@@ -3,8 +3,6 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <Eigen/Core>
-
 #include <array>
 #include <vector>
 
@@ -66,9 +64,6 @@ namespace Heddle
       for_each_group(const Action &action) const;
 
     private:
-      /** A number for each block of a side. */
-      using Side = Eigen::Matrix<double, n_of_side, 1>;
-
       /** Terms between the same blocks, up to @p end. */
       struct Group
       {
