@@ -419,14 +419,9 @@ namespace Heddle
     FiberContact::locate_middles(const System::State          &state,
                                  const Contact::CandidatePair &pair) const
     {
-      Contact::ContactElement element = {};
-      element.fiber_a                 = pair.fiber_a;
-      element.fiber_b                 = pair.fiber_b;
-      element.s_a = space.middle(pair.fiber_a, pair.interval_a);
-      element.s_b = space.middle(pair.fiber_b, pair.interval_b);
       System::AxisCouplings::Blocks  blocks;
       System::AxisCouplings::Weights weights;
-      locate(state, element, blocks, weights);
+      locate(state, contact_of_middles(space, pair), blocks, weights);
       return blocks;
     }
 

@@ -129,7 +129,8 @@ namespace Heddle
           for (unsigned int f = owned.first; f < owned.second; ++f)
             for (unsigned int i = 0; i + 1 < space.fiber(f).n_nodes; ++i)
               {
-                const FrictionElement element = middle_of(state, {f, f, i, i});
+                const FrictionElement element(
+                  state, contact_of_middles(space, {f, f, i, i}));
                 pattern.couple(element.n_blocks / 2, element.blocks.data());
               }
           return;
@@ -140,23 +141,9 @@ namespace Heddle
       Contact::extend_pairs(pattern_pairs, interval_pairs(space, elements));
       for (const Contact::CandidatePair &pair : pattern_pairs)
         {
-          const FrictionElement element = middle_of(state, pair);
+          const FrictionElement element(state, contact_of_middles(space, pair));
           pattern.couple(element.n_blocks, element.blocks.data());
         }
-    }
-
-
-
-    FrictionElement
-    FiberFriction::middle_of(const System::State          &state,
-                             const Contact::CandidatePair &pair) const
-    {
-      Contact::ContactElement middle = {};
-      middle.fiber_a                 = pair.fiber_a;
-      middle.fiber_b                 = pair.fiber_b;
-      middle.s_a = space.middle(pair.fiber_a, pair.interval_a);
-      middle.s_b = space.middle(pair.fiber_b, pair.interval_b);
-      return FrictionElement(state, middle);
     }
 
 

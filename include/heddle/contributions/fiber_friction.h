@@ -176,11 +176,6 @@ namespace Heddle
                           const Tensor<1, 3>       &u,
                           System::UnsymmetricTerms &terms) const;
 
-      /** For the blocks that elements between two intervals act on. */
-      FrictionElement
-      middle_of(const System::State          &state,
-                const Contact::CandidatePair &pair) const;
-
       Element
       make_element(const System::State           &state,
                    const Contact::ContactElement &touching) const;

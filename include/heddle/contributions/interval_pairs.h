@@ -2,6 +2,7 @@
 #define heddle_contributions_interval_pairs_h
 
 #include <heddle/contact/candidate_pair.h>
+#include <heddle/contact/contact_element.h>
 #include <heddle/system/fiber_space.h>
 
 #include <vector>
@@ -27,6 +28,19 @@ namespace Heddle
                          space.interval(element.fiber_b, element.s_b)});
       Contact::sort_and_unify(pairs);
       return pairs;
+    }
+
+    /** Where the middles of two intervals would touch, for a pattern. */
+    inline Contact::ContactElement
+    contact_of_middles(const System::FiberSpace     &space,
+                       const Contact::CandidatePair &pair)
+    {
+      Contact::ContactElement element = {};
+      element.fiber_a                 = pair.fiber_a;
+      element.fiber_b                 = pair.fiber_b;
+      element.s_a = space.middle(pair.fiber_a, pair.interval_a);
+      element.s_b = space.middle(pair.fiber_b, pair.interval_b);
+      return element;
     }
   } // namespace Contributions
 } // namespace Heddle
