@@ -19,7 +19,7 @@ namespace Heddle
         {
           unsigned int curve;
           unsigned int interval;
-          unsigned int chord;
+          unsigned int bounds;
         };
 
         /** The control points of one cubic. */
@@ -42,6 +42,16 @@ namespace Heddle
         struct Chord
         {
           double begin[3], along[3], bulge; /**< [mm] */
+        };
+
+        /**
+         * The whole of a cubic, to reject most pairs, and its halves, which
+         * lie closer to their chords: long elements of thin fibers bulge by
+         * more than fibers are apart.
+         */
+        struct Bounds
+        {
+          Chord whole, first_half, second_half;
         };
 
         using Entry = std::pair<BoundingBox<3>, Interval>;
@@ -93,6 +103,24 @@ namespace Heddle
 
 
 
+        Bounds
+        bounds(const ControlPoints &control)
+        {
+          // P. de Casteljau (1959): means of means are the halves' points.
+          const auto        *point  = control.point;
+          const Tensor<1, 3> middle = 0.5 * (point[1] + point[2]);
+          ControlPoints      first = control, second = control;
+          first.point[1]  = 0.5 * (point[0] + point[1]);
+          first.point[2]  = 0.5 * (first.point[1] + middle);
+          second.point[2] = 0.5 * (point[2] + point[3]);
+          second.point[1] = 0.5 * (middle + second.point[2]);
+          first.point[3]  = second.point[0] =
+            0.5 * (first.point[2] + second.point[1]);
+          return {chord(control), chord(first), chord(second)};
+        }
+
+
+
         /**
          * Squared distance of two chords: where it is least for that of b, held
          * to b, then where it is least on a (C. Ericson, Real-Time Collision
@@ -134,12 +162,24 @@ namespace Heddle
 
 
 
-        /** Whether two cubics may come as close as @p distance. */
         bool
         are_close(const Chord &a, const Chord &b, const double distance)
         {
           const double reach = distance + a.bulge + b.bulge;
           return squared_distance(a, b) <= reach * reach;
+        }
+
+
+
+        /** Whether two cubics may come as close as @p distance. */
+        bool
+        are_close(const Bounds &a, const Bounds &b, const double distance)
+        {
+          return are_close(a.whole, b.whole, distance) &&
+                 (are_close(a.first_half, b.first_half, distance) ||
+                  are_close(a.second_half, b.second_half, distance) ||
+                  are_close(a.first_half, b.second_half, distance) ||
+                  are_close(a.second_half, b.first_half, distance));
         }
 
 
@@ -178,8 +218,8 @@ namespace Heddle
       using namespace internal::BroadPhase;
       namespace bgi = boost::geometry::index;
 
-      std::vector<Entry> entries;
-      std::vector<Chord> chords;
+      std::vector<Entry>  entries;
+      std::vector<Bounds> limits;
       for (unsigned int c = 0; c < curves.size(); ++c)
         for (unsigned int i = curves[c].curve.known.first;
              i + 1 < curves[c].curve.known.second;
@@ -188,8 +228,8 @@ namespace Heddle
             const ControlPoints control(curves[c].curve, i);
             entries.emplace_back(
               box(control, curves[c].curve.radius + 0.5 * search_distance),
-              Interval{c, i, static_cast<unsigned int>(chords.size())});
-            chords.push_back(chord(control));
+              Interval{c, i, static_cast<unsigned int>(limits.size())});
+            limits.push_back(bounds(control));
           }
       const boost::geometry::index::rtree<Entry, bgi::linear<16>> tree(entries);
 
@@ -207,8 +247,8 @@ namespace Heddle
               const NumberedCurve &b = curves[hit->second.curve];
               const unsigned int   j = hit->second.interval;
               if (may_touch(a, i, b, j) &&
-                  are_close(chords[entry.second.chord],
-                            chords[hit->second.chord],
+                  are_close(limits[entry.second.bounds],
+                            limits[hit->second.bounds],
                             a.curve.radius + b.curve.radius + search_distance))
                 candidates.push_back(a.fiber <= b.fiber
                                        ? CandidatePair{a.fiber, b.fiber, i, j}
