@@ -104,7 +104,7 @@ namespace Heddle
 
 
         Bounds
-        bounds(const ControlPoints &control)
+        bound(const ControlPoints &control)
         {
           // P. de Casteljau (1959): means of means are the halves' points.
           const auto        *point  = control.point;
@@ -219,7 +219,7 @@ namespace Heddle
       namespace bgi = boost::geometry::index;
 
       std::vector<Entry>  entries;
-      std::vector<Bounds> limits;
+      std::vector<Bounds> bounds;
       for (unsigned int c = 0; c < curves.size(); ++c)
         for (unsigned int i = curves[c].curve.known.first;
              i + 1 < curves[c].curve.known.second;
@@ -228,8 +228,8 @@ namespace Heddle
             const ControlPoints control(curves[c].curve, i);
             entries.emplace_back(
               box(control, curves[c].curve.radius + 0.5 * search_distance),
-              Interval{c, i, static_cast<unsigned int>(limits.size())});
-            limits.push_back(bounds(control));
+              Interval{c, i, static_cast<unsigned int>(bounds.size())});
+            bounds.push_back(bound(control));
           }
       const boost::geometry::index::rtree<Entry, bgi::linear<16>> tree(entries);
 
@@ -247,8 +247,8 @@ namespace Heddle
               const NumberedCurve &b = curves[hit->second.curve];
               const unsigned int   j = hit->second.interval;
               if (may_touch(a, i, b, j) &&
-                  are_close(limits[entry.second.bounds],
-                            limits[hit->second.bounds],
+                  are_close(bounds[entry.second.bounds],
+                            bounds[hit->second.bounds],
                             a.curve.radius + b.curve.radius + search_distance))
                 candidates.push_back(a.fiber <= b.fiber
                                        ? CandidatePair{a.fiber, b.fiber, i, j}
