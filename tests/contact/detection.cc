@@ -10,9 +10,8 @@
 using Heddle::Contact::CandidatePair;
 using Heddle::Contact::NumberedCurve;
 
-constexpr unsigned int n_fibers    = 24;
-constexpr unsigned int n_intervals = 9;
-constexpr unsigned int n_samples   = 24;
+constexpr unsigned int n_fibers  = 24;
+constexpr unsigned int n_samples = 24;
 
 /** Least distance of the axes on two intervals, by sampling. */
 double
@@ -48,7 +47,10 @@ int
 main()
 {
   initlog();
-  for (const double search_distance : {0.1, 1., 4.})
+  // Of three intervals each bends by more than fibers are apart.
+  for (const auto &[n_intervals, search_distance] :
+       std::vector<std::pair<unsigned int, double>>{
+         {9, 0.1}, {9, 1.}, {9, 4.}, {3, 0.1}, {3, 1.}})
     {
       unsigned int n_missed = 0, n_near = 0, n_candidates = 0, n_twice = 0;
       for (unsigned int seed = 0; seed < 5; ++seed)
@@ -99,8 +101,9 @@ main()
                       }
                   }
         }
-      deallog << "search distance " << search_distance << ": near " << n_near
-              << ", missed " << n_missed << ", found twice " << n_twice
+      deallog << "intervals " << n_intervals << ", search distance "
+              << search_distance << ": near " << n_near << ", missed "
+              << n_missed << ", found twice " << n_twice
               << ", candidates at most three times as many: "
               << (n_candidates < 3 * n_near ? "yes" : "NO") << std::endl;
     }
