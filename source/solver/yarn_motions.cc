@@ -1,5 +1,6 @@
 #include <heddle/base/petsc.h>
 #include <heddle/solver/yarn_motions.h>
+#include <heddle/solver/yarn_parts.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -8,7 +9,6 @@
 #include <boost/serialization/unordered_map.hpp>
 
 #include <algorithm>
-#include <map>
 
 namespace Heddle
 {
@@ -38,24 +38,20 @@ namespace Heddle
     void
     YarnMotions::find_stations()
     {
-      const System::FiberSpace                         &space = state.space;
-      std::map<unsigned int, std::vector<unsigned int>> yarns;
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        yarns[space.fiber(f).yarn_id].push_back(f);
-      for (const auto &yarn : yarns)
-        if (yarn.second.size() > 1)
-          {
-            unsigned int n_intervals = 0;
-            for (const unsigned int f : yarn.second)
-              n_intervals = std::max(n_intervals, space.fiber(f).n_nodes - 1);
-            const unsigned int n = 2 + (n_intervals - 1) / station_distance;
-            for (const unsigned int f : yarn.second)
-              {
-                first_station[f] = n_all_stations;
-                n_stations[f]    = n;
-              }
-            n_all_stations += n;
-          }
+      for (const FiberNumbers &part : yarn_parts(state))
+        {
+          unsigned int n_intervals = 0;
+          for (const unsigned int f : part)
+            n_intervals =
+              std::max(n_intervals, state.space.fiber(f).n_nodes - 1);
+          const unsigned int n = 2 + (n_intervals - 1) / station_distance;
+          for (const unsigned int f : part)
+            {
+              first_station[f] = n_all_stations;
+              n_stations[f]    = n;
+            }
+          n_all_stations += n;
+        }
       values.resize(3 * n_all_stations);
     }
 

@@ -18,10 +18,11 @@ namespace Heddle
 
     /**
      * Coarse part of a preconditioner: the motions in which all fibers of a
-     * yarn move alike. What resists them is much softer than what holds one
-     * fiber among its neighbours, which is all that a preconditioner sees that
-     * takes fibers one by one. A yarn has stations along it; between two of
-     * them its motion is the cubic that has no slope at either.
+     * part of a yarn, see yarn_parts(), move alike. What resists them is much
+     * softer than what holds one fiber among its neighbours, which is all that
+     * a preconditioner sees that takes fibers one by one. A part has stations
+     * along it; between two of them its motion is the cubic that has no slope
+     * at either.
      *
      * With the matrix P of these motions the correction is
      * $P (P^T A P)^{-1} P^T$. Its system is small: all ranks hold it.
@@ -62,7 +63,7 @@ namespace Heddle
       using CoarseBlocks =
         std::unordered_map<std::uint64_t, std::array<double, 9>>;
 
-      /** Give every yarn of more than one fiber its stations. */
+      /** Give every part of a yarn its stations. @note Collective. */
       void
       find_stations();
 

@@ -1,0 +1,31 @@
+#ifndef heddle_solver_yarn_parts_h
+#define heddle_solver_yarn_parts_h
+
+#include <heddle/system/state.h>
+
+#include <vector>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    using namespace dealii;
+
+    /** Fibers, by their numbers. */
+    using FiberNumbers = std::vector<unsigned int>;
+
+    /**
+     * Divide the yarns of more than one fiber into parts of neighbours, no more
+     * than four, and no more than there are dozens of fibers: cut them across
+     * the longest side of their section, as it is now at the middles of the
+     * fibers, and the pieces again. Every fiber of these yarns is in one part;
+     * parts of a yarn differ by two fibers at most. They are the same on all
+     * ranks.
+     * @note Collective.
+     */
+    std::vector<FiberNumbers>
+    yarn_parts(const System::State &state);
+  } // namespace Solver
+} // namespace Heddle
+
+#endif
