@@ -24,26 +24,18 @@ namespace Heddle
 
 
       /**
-       * One number for each of n searches. Loops over them are short and of
-       * known length: the compiler puts them into the lanes of one register.
+       * One number for each of n searches, side by side in one register: a
+       * vector of GCC and Clang, for of loops over arrays the compiler leaves
+       * most to one lane after the other.
        */
       template <unsigned int n>
-      struct alignas(8 * n) Lanes
+      struct Register
       {
-        double lane[n];
-
-        double &
-        operator[](const unsigned int i)
-        {
-          return lane[i];
-        }
-
-        double
-        operator[](const unsigned int i) const
-        {
-          return lane[i];
-        }
+        typedef double Lanes __attribute__((vector_size(8 * n)));
       };
+
+      template <unsigned int n>
+      using Lanes = typename Register<n>::Lanes;
 
 
 
@@ -64,54 +56,60 @@ namespace Heddle
         void
         begin(const unsigned int i, const Curve &curve, const double s)
         {
-          curves[i] = &curve;
-          load(i, curve.interval(s));
+          curves[i]   = &curve;
+          interval[i] = curve.interval(s);
+        }
+
+        /** After all have begun: load their cubics. */
+        void
+        load()
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              const double *knots = curves[i]->arc_lengths + interval[i];
+              first[i]            = knots[0];
+              length[i]           = knots[1] - knots[0];
+            }
+          for (unsigned int d = 0; d < 3; ++d)
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                const CurveCubic &cubic = curves[i]->cubic(interval[i]);
+                c0[d][i]                = cubic.c0[d];
+                c1[d][i]                = cubic.c1[d];
+                c2[d][i]                = cubic.c2[d];
+                c3[d][i]                = cubic.c3[d];
+              }
         }
 
         /** Set the points at the arc lengths @p s. */
         void
         evaluate(const Lanes<n> &s, LanePoints<n> &points)
         {
-          Lanes<n> t;
+          Lanes<n> t    = s - first;
+          bool     left = false;
           for (unsigned int i = 0; i < n; ++i)
+            left = left || t[i] < 0. || t[i] >= length[i];
+          if (left)
             {
-              const unsigned int there = curves[i]->interval(s[i], interval[i]);
-              if (there != interval[i])
-                load(i, there);
+              for (unsigned int i = 0; i < n; ++i)
+                interval[i] = curves[i]->interval(s[i], interval[i]);
+              load();
+              t = s - first;
             }
-          for (unsigned int i = 0; i < n; ++i)
-            t[i] = s[i] - first[i];
           for (unsigned int d = 0; d < 3; ++d)
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                const double bent = c2[d][i] + t[i] * c3[d][i];
-                const double more = bent + t[i] * c3[d][i];
-                points.position[d][i] =
-                  c0[d][i] + t[i] * (c1[d][i] + t[i] * bent);
-                points.tangent[d][i]   = c1[d][i] + t[i] * (bent + more);
-                points.curvature[d][i] = 2. * (more + t[i] * c3[d][i]);
-              }
+            {
+              const Lanes<n> bent = c2[d] + t * c3[d];
+              const Lanes<n> more = bent + t * c3[d];
+              points.position[d]  = c0[d] + t * (c1[d] + t * bent);
+              points.tangent[d]   = c1[d] + t * (bent + more);
+              points.curvature[d] = 2. * (more + t * c3[d]);
+            }
         }
 
       private:
-        void
-        load(const unsigned int i, const unsigned int new_interval)
-        {
-          interval[i]             = new_interval;
-          first[i]                = curves[i]->arc_lengths[new_interval];
-          const CurveCubic &cubic = curves[i]->cubic(new_interval);
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              c0[d][i] = cubic.c0[d];
-              c1[d][i] = cubic.c1[d];
-              c2[d][i] = cubic.c2[d];
-              c3[d][i] = cubic.c3[d];
-            }
-        }
-
         const Curve *curves[n];
         unsigned int interval[n];
-        Lanes<n>     first, c0[3], c1[3], c2[3], c3[3];
+        Lanes<n>     first, length, c0[3], c1[3], c2[3], c3[3];
       };
 
 
@@ -196,6 +194,8 @@ namespace Heddle
             cubics_a.begin(i, between[i]->a, s_a[i]);
             cubics_b.begin(i, between[i]->b, s_b[i]);
           }
+        cubics_a.load();
+        cubics_b.load();
       }
 
 
@@ -204,11 +204,8 @@ namespace Heddle
       void
       FacingSearch<n>::set_places()
       {
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            s_a[i] = 0.5 * (p[i] + q[i]);
-            s_b[i] = 0.5 * sigma[i] * (p[i] - q[i]);
-          }
+        s_a = 0.5 * (p + q);
+        s_b = 0.5 * sigma * (p - q);
       }
 
 
@@ -223,41 +220,36 @@ namespace Heddle
 
         Lanes<n> force = {}, convex = {}, curved = {};
         for (unsigned int d = 0; d < 3; ++d)
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              connection[d][i] = a.position[d][i] - b.position[d][i];
-              sum[d][i]        = a.tangent[d][i] + sigma[i] * b.tangent[d][i];
-              bent[d][i]       = a.curvature[d][i] - b.curvature[d][i];
-              force[i] += connection[d][i] * sum[d][i];
-              convex[i] += 0.5 * sum[d][i] * sum[d][i];
-              curved[i] += 0.5 * connection[d][i] * bent[d][i];
-            }
+          {
+            connection[d] = a.position[d] - b.position[d];
+            sum[d]        = a.tangent[d] + sigma * b.tangent[d];
+            bent[d]       = a.curvature[d] - b.curvature[d];
+            force += connection[d] * sum[d];
+            convex += 0.5 * sum[d] * sum[d];
+            curved += 0.5 * connection[d] * bent[d];
+          }
 
         // Newton's method for the stationary distance; where the distance is
         // not convex, downhill with the stiffness of straight fibers.
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const double least  = 0.2 * convex[i] + 1e-3;
-            const double newton = convex[i] + curved[i];
-            const double free   = -force[i] / std::max(newton, least);
-            const double bounded =
-              std::min(std::max(free, -scale[i]), scale[i]);
-            const double next =
-              std::min(std::max(q[i] + bounded, low[i]), high[i]);
-            step[i] = next - q[i];
-            short_by[i] =
-              (newton > least ? last_step : last_step_downhill) * scale[i] -
-              std::abs(step[i]);
-          }
+        const Lanes<n> least     = 0.2 * convex + 1e-3;
+        const Lanes<n> newton    = convex + curved;
+        const auto     is_convex = newton > least;
+        const Lanes<n> free      = -force / (is_convex ? newton : least);
+        const Lanes<n> no_more   = free < scale ? free : scale;
+        const Lanes<n> next      = q + (no_more > -scale ? no_more : -scale);
+        const Lanes<n> below     = next < high ? next : high;
+        step                     = (below > low ? below : low) - q;
+        const Lanes<n> size      = step < 0. ? -step : step;
+        const Lanes<n> last      = scale * last_step;
+        const Lanes<n> downhill  = scale * last_step_downhill;
+        short_by                 = (is_convex ? last : downhill) - size;
 
         // Who has arrived waits there, so that nobody's particles depend on
         // who is searched beside.
+        q += short_by > 0. ? Lanes<n>{} : step;
         bool all = true;
         for (unsigned int i = 0; i < n; ++i)
-          {
-            q[i] += has_arrived(i) ? 0. : step[i];
-            all = all && has_arrived(i);
-          }
+          all = all && has_arrived(i);
         return all;
       }
 
@@ -268,21 +260,15 @@ namespace Heddle
       FacingSearch<n>::finish()
       {
         // What this leaves of third order is below round-off.
-        Lanes<n> half;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            half[i] = has_arrived(i) ? 0.5 * step[i] : 0.;
-            q[i] += 2. * half[i];
-          }
+        const Lanes<n> half = short_by > 0. ? 0.5 * step : Lanes<n>{};
+        q += 2. * half;
         set_places();
         for (unsigned int d = 0; d < 3; ++d)
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              connection[d][i] +=
-                half[i] * sum[d][i] + 0.5 * half[i] * half[i] * bent[d][i];
-              a.tangent[d][i] += half[i] * a.curvature[d][i];
-              b.tangent[d][i] -= half[i] * sigma[i] * b.curvature[d][i];
-            }
+          {
+            connection[d] += half * sum[d] + 0.5 * half * half * bent[d];
+            a.tangent[d] += half * a.curvature[d];
+            b.tangent[d] -= half * sigma * b.curvature[d];
+          }
       }
 
 
