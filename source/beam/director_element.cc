@@ -1,6 +1,5 @@
+#include <heddle/base/lanes.h>
 #include <heddle/beam/director_element.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -14,36 +13,39 @@ namespace Heddle
       /** Strains per integration point. */
       constexpr unsigned int n_strains_at_point = 12;
 
-      /** Numbers in Fields that mean something, and with the padding. */
-      constexpr unsigned int n_fields = 15;
-      constexpr unsigned int width    = 16;
-
       /**
-       * The fields at a point that the strains are made of: five vectors, in
-       * the order of Part, padded to a whole number of machine words.
-       */
-      using Fields = std::array<double, width>;
-
-      /**
-       * Where the vectors r', g_1', g_2', g_1, g_2 start in Fields: derivatives
-       * of the three blocks of a node, then values of the last two.
+       * The vectors that the strains are made of: r', g_1', g_2', g_1, g_2. The
+       * derivative of block k of a node is part k, its value part k + 2.
        */
       enum Part : unsigned int
       {
-        t  = 0,
-        d1 = 3,
-        d2 = 6,
-        g1 = 9,
-        g2 = 12
+        t,
+        d1,
+        d2,
+        g1,
+        g2
+      };
+
+      constexpr unsigned int n_parts = 5;
+
+      struct Fields
+      {
+        Lanes<4> parts[n_parts];
+
+        Lanes<4> &
+        operator[](const unsigned int part)
+        {
+          return parts[part];
+        }
+
+        const Lanes<4> &
+        operator[](const unsigned int part) const
+        {
+          return parts[part];
+        }
       };
 
       using Strains = std::array<double, n_strains_at_point>;
-
-      /** A column for each strain, and for each field. */
-      using Gradients = Eigen::Matrix<double, width, n_strains_at_point>;
-      using Hessian   = Eigen::Matrix<double, width, n_fields>;
-
-
 
       /**
        * The section law: diagonal but for the coupling of axial strain and
@@ -73,23 +75,16 @@ namespace Heddle
 
 
 
-        /** Apply the law to strains, or to their gradients of @p n numbers. */
-        template <unsigned int n>
-        void
-        apply(const double *strains, double *stresses) const
+        Strains
+        stresses(const Strains &strains) const
         {
-          using Numbers     = Eigen::Array<double, n, 1>;
-          const auto strain = [strains](const unsigned int i) {
-            return Eigen::Map<const Numbers>(strains + i * n);
-          };
-          const auto stress = [stresses](const unsigned int i) {
-            return Eigen::Map<Numbers>(stresses + i * n);
-          };
+          Strains result;
           for (unsigned int i = 0; i < n_strains_at_point; ++i)
-            stress(i) = diagonal[i] * strain(i);
-          stress(0) += coupling * (strain(3) + strain(4));
-          stress(3) += coupling * strain(0) + lambda * strain(4);
-          stress(4) += coupling * strain(0) + lambda * strain(3);
+            result[i] = diagonal[i] * strains[i];
+          result[0] += coupling * (strains[3] + strains[4]);
+          result[3] += coupling * strains[0] + lambda * strains[4];
+          result[4] += coupling * strains[0] + lambda * strains[3];
+          return result;
         }
 
         double  lambda;
@@ -99,10 +94,34 @@ namespace Heddle
 
 
 
-      inline double
-      dot(const Fields &p, const Part a, const Part b)
+      /**
+       * Derivative of the strains at @p p in the direction @p q: a bilinear
+       * form, and a symmetric one, for strains are quadratic.
+       */
+      inline Strains
+      change_of_strains(const Fields &p, const Fields &q)
       {
-        return p[a] * p[b] + p[a + 1] * p[b + 1] + p[a + 2] * p[b + 2];
+        const auto dot = [&](const Part a, const Part b) {
+          const Lanes<4> products = p[a] * q[b];
+          return products[0] + products[1] + products[2];
+        };
+        const auto both = [&](const Part a, const Part b) {
+          return dot(a, b) + dot(b, a);
+        };
+        const double g1_d2 = both(g1, d2);
+        const double g2_d1 = both(g2, d1);
+        return {{dot(t, t),
+                 both(t, g1),
+                 both(t, g2),
+                 dot(g1, g1),
+                 dot(g2, g2),
+                 both(g1, g2),
+                 both(t, d1),
+                 both(t, d2),
+                 .5 * (g2_d1 - g1_d2),
+                 both(g1, d1),
+                 both(g2, d2),
+                 .5 * (g1_d2 + g2_d1)}};
       }
 
 
@@ -110,65 +129,18 @@ namespace Heddle
       inline Strains
       strains_of(const Fields &p)
       {
-        const double g1_d2 = dot(p, g1, d2);
-        const double g2_d1 = dot(p, g2, d1);
-        return {{.5 * (dot(p, t, t) - 1.),
-                 dot(p, t, g1),
-                 dot(p, t, g2),
-                 .5 * (dot(p, g1, g1) - 1.),
-                 .5 * (dot(p, g2, g2) - 1.),
-                 dot(p, g1, g2),
-                 dot(p, t, d1),
-                 dot(p, t, d2),
-                 .5 * (g2_d1 - g1_d2),
-                 dot(p, g1, d1),
-                 dot(p, g2, d2),
-                 .5 * (g1_d2 + g2_d1)}};
-      }
-
-
-
-      /** Derivatives of the strains in the fields, strain by strain. */
-      inline Gradients
-      gradients_of(const Fields &p)
-      {
-        Gradients  gradients = Gradients::Zero();
-        const auto set       = [&](const unsigned int strain,
-                             const Part         at,
-                             const Part         by,
-                             const double       factor) {
-          for (unsigned int c = 0; c < 3; ++c)
-            gradients(at + c, strain) = factor * p[by + c];
-        };
-        const auto set_product =
-          [&](const unsigned int strain, const Part a, const Part b) {
-            set(strain, a, b, 1.);
-            set(strain, b, a, 1.);
-          };
-        set(0, t, t, 1.);
-        set_product(1, t, g1);
-        set_product(2, t, g2);
-        set(3, g1, g1, 1.);
-        set(4, g2, g2, 1.);
-        set_product(5, g1, g2);
-        set_product(6, t, d1);
-        set_product(7, t, d2);
-        for (const auto &[strain, sign] : {std::pair(8u, -1.), {11u, 1.}})
-          {
-            set(strain, g1, d2, .5 * sign);
-            set(strain, d2, g1, .5 * sign);
-            set(strain, g2, d1, .5);
-            set(strain, d1, g2, .5);
-          }
-        set_product(9, g1, d1);
-        set_product(10, g2, d2);
-        return gradients;
+        Strains strains = change_of_strains(p, p);
+        for (const unsigned int square : {0, 3, 4})
+          strains[square] -= 1.;
+        for (double &strain : strains)
+          strain *= .5;
+        return strains;
       }
 
 
 
       /** One number for each pair of the five vectors. */
-      using PairsOfParts = std::array<std::array<double, 5>, 5>;
+      using PairsOfParts = std::array<std::array<double, n_parts>, n_parts>;
 
 
 
@@ -199,51 +171,119 @@ namespace Heddle
       {
         const PairsOfParts factors = second_derivatives(stresses);
         Fields             forces{};
-        for (unsigned int a = 0; a < 5; ++a)
-          for (unsigned int b = 0; b < 5; ++b)
-            for (unsigned int c = 0; c < 3; ++c)
-              forces[3 * a + c] += factors[a][b] * p[3 * b + c];
+        for (unsigned int a = 0; a < n_parts; ++a)
+          for (unsigned int b = 0; b < n_parts; ++b)
+            forces[a] += factors[a][b] * p[b];
         return forces;
       }
 
 
 
-      /** Set the columns of @p part from those strains that depend on it. */
-      template <unsigned int... strains>
-      inline void
-      set_columns(const Part       part,
-                  const Gradients &gradients,
-                  const Gradients &scaled,
-                  Hessian         &hessian)
+      /**
+       * The derivatives of the forces of one point: a 3x3 block, column by
+       * column, for each pair of parts.
+       */
+      class Hessian
       {
-        for (unsigned int c = part; c < part + 3; ++c)
-          hessian.col(c) =
-            (... + (gradients(c, strains) * scaled.col(strains)));
-      }
+      public:
+        /** Set B^T C B + G(stresses). */
+        Hessian(const Law &law, const Fields &p, const Strains &stresses)
+          : p(p)
+        {
+          const PairsOfParts geometric = second_derivatives(stresses);
+          for (unsigned int a = 0; a < n_parts; ++a)
+            for (unsigned int b = 0; b < n_parts; ++b)
+              {
+                const double factor = geometric[a][b];
+                columns[a][b][0]    = Lanes<4>{factor, 0., 0., 0.};
+                columns[a][b][1]    = Lanes<4>{0., factor, 0., 0.};
+                columns[a][b][2]    = Lanes<4>{0., 0., factor, 0.};
+              }
 
+          const Strains &c = law.diagonal;
+          add_square(t, c[0]);
+          add_square({t, g1}, c[1]);
+          add_square({t, g2}, c[2]);
+          add_square(g1, c[3]);
+          add_square(g2, c[4]);
+          add_square({g1, g2}, c[5]);
+          add_square({t, d1}, c[6]);
+          add_square({t, d2}, c[7]);
+          add_square({g1, d1}, c[9]);
+          add_square({g2, d2}, c[10]);
+          add_mixed(t, g1, law.coupling);
+          add_mixed(t, g2, law.coupling);
+          add_mixed(g1, g2, law.lambda);
 
+          // Twist and gradient of the shear are half the difference and half
+          // the sum of two products.
+          add_square({g1, d2}, .25 * (c[8] + c[11]));
+          add_square({g2, d1}, .25 * (c[8] + c[11]));
+          add_mixed({g1, d2}, {g2, d1}, .25 * (c[11] - c[8]));
+        }
 
-      /** Return B^T C B + G(stresses) in the fields of one point. */
-      inline Hessian
-      hessian_of(const Law &law, const Fields &p, const Strains &stresses)
-      {
-        const Gradients gradients = gradients_of(p);
-        Gradients       scaled;
-        law.apply<width>(gradients.data(), scaled.data());
+        Lanes<4> columns[n_parts][n_parts][3];
 
-        Hessian hessian;
-        set_columns<0, 1, 2, 6, 7>(t, gradients, scaled, hessian);
-        set_columns<1, 3, 5, 8, 9, 11>(g1, gradients, scaled, hessian);
-        set_columns<2, 4, 5, 8, 10, 11>(g2, gradients, scaled, hessian);
-        set_columns<6, 8, 9, 11>(d1, gradients, scaled, hessian);
-        set_columns<7, 8, 10, 11>(d2, gradients, scaled, hessian);
-        const PairsOfParts geometric = second_derivatives(stresses);
-        for (unsigned int a = 0; a < 5; ++a)
-          for (unsigned int b = 0; b < 5; ++b)
-            for (unsigned int c = 0; c < 3; ++c)
-              hessian(3 * a + c, 3 * b + c) += geometric[a][b];
-        return hessian;
-      }
+      private:
+        /** Two parts whose product is a strain. */
+        struct Product
+        {
+          Part a, b;
+        };
+
+        /** Add factor x y^T, x and y being parts, to the block (a, b). */
+        void
+        add_dyad(const Part   a,
+                 const Part   b,
+                 const double factor,
+                 const Part   x,
+                 const Part   y)
+        {
+          const Lanes<4> scaled = factor * p[x];
+          for (unsigned int c = 0; c < 3; ++c)
+            columns[a][b][c] += scaled * p[y][c];
+        }
+
+        /** Add the square of the gradient of half the square of a part. */
+        void
+        add_square(const Part a, const double factor)
+        {
+          add_dyad(a, a, factor, a, a);
+        }
+
+        /** ... and of the product of two. */
+        void
+        add_square(const Product &one, const double factor)
+        {
+          add_dyad(one.a, one.a, factor, one.b, one.b);
+          add_dyad(one.a, one.b, factor, one.b, one.a);
+          add_dyad(one.b, one.a, factor, one.a, one.b);
+          add_dyad(one.b, one.b, factor, one.a, one.a);
+        }
+
+        /** The gradients of two half squares, each times the other. */
+        void
+        add_mixed(const Part a, const Part b, const double factor)
+        {
+          add_dyad(a, b, factor, a, b);
+          add_dyad(b, a, factor, b, a);
+        }
+
+        /** ... and of two products. */
+        void
+        add_mixed(const Product &one, const Product &other, const double factor)
+        {
+          for (const auto &[at, by] : {std::pair(one.a, one.b), {one.b, one.a}})
+            for (const auto &[there, by_there] :
+                 {std::pair(other.a, other.b), {other.b, other.a}})
+              {
+                add_dyad(at, there, factor, by, by_there);
+                add_dyad(there, at, factor, by_there, by);
+              }
+        }
+
+        const Fields &p;
+      };
 
 
 
@@ -255,16 +295,14 @@ namespace Heddle
       {
         Fields p{};
         for (int a = 0; a <= degree; ++a)
-          {
-            const double slope = point.slope[a] / length;
-            for (unsigned int k = 0; k < 3; ++k)
-              for (unsigned int c = 0; c < 3; ++c)
-                p[t + 3 * k + c] += slope * blocks[3 * a + k][c];
-            for (unsigned int k = 1; k < 3; ++k)
-              for (unsigned int c = 0; c < 3; ++c)
-                p[g1 + 3 * (k - 1) + c] +=
-                  point.value[a] * blocks[3 * a + k][c];
-          }
+          for (unsigned int k = 0; k < 3; ++k)
+            {
+              const Tensor<1, 3> &block = blocks[3 * a + k];
+              const Lanes<4>      lanes = {block[0], block[1], block[2], 0.};
+              p[k] += point.slope[a] / length * lanes;
+              if (k > 0)
+                p[k + 2] += point.value[a] * lanes;
+            }
         return p;
       }
 
@@ -279,51 +317,74 @@ namespace Heddle
                  double                      *residual)
       {
         for (int a = 0; a <= degree; ++a)
-          {
-            const double slope = point.slope[a] / length;
-            for (unsigned int c = 0; c < 9; ++c)
-              residual[9 * a + c] += slope * forces[t + c];
-            for (unsigned int c = 3; c < 9; ++c)
-              residual[9 * a + c] += point.value[a] * forces[c + 6];
-          }
+          for (unsigned int k = 0; k < 3; ++k, residual += 3)
+            {
+              Lanes<4> sum = point.slope[a] / length * forces[k];
+              if (k > 0)
+                sum += point.value[a] * forces[k + 2];
+              for (unsigned int c = 0; c < 3; ++c)
+                residual[c] += sum[c];
+            }
       }
 
 
 
-      /**
-       * Add interpolate() and its transpose on both sides of @p hessian; of the
-       * first point it is what is set.
+      /** Derivatives of the forces of an element: of block a, in b, by column.
        */
-      template <int degree, bool is_first>
+      template <int degree>
+      struct Tangent
+      {
+        static constexpr unsigned int n_blocks = 3 * (degree + 1);
+
+        Lanes<4> columns[n_blocks][3][n_blocks] = {};
+
+        /** Copy it to 3 n_blocks rows of as many numbers. */
+        void
+        write(double *numbers) const
+        {
+          for (const auto &of_block : columns)
+            for (const auto &column : of_block)
+              for (const Lanes<4> &block : column)
+                for (unsigned int d = 0; d < 3; ++d)
+                  *numbers++ = block[d];
+        }
+      };
+
+
+
+      /** Add interpolate() and its transpose on both sides of @p hessian. */
+      template <int degree>
       inline void
       add_hessian(const LagrangePoint<degree> &point,
                   const Hessian               &hessian,
                   const double                 length,
                   const double                 weight,
-                  double                      *tangent)
+                  Tangent<degree>             &tangent)
       {
-        // Derivatives are the first nine fields, values the last six.
-        constexpr unsigned int                  n = 9 * (degree + 1);
-        Eigen::Matrix<double, n, n_fields>      rows;
-        Eigen::Map<Eigen::Matrix<double, n, n>> sum(tangent);
-        for (int a = 0; a <= degree; ++a)
-          {
-            auto of_node = rows.template middleRows<9>(9 * a);
-            of_node = (weight * point.slope[a] / length) * hessian.topRows<9>();
-            of_node.template bottomRows<6>() +=
-              (weight * point.value[a]) * hessian.middleRows<6>(9);
-          }
-        for (int a = 0; a <= degree; ++a)
-          {
-            const double slope   = point.slope[a] / length;
-            auto         of_node = sum.template middleCols<9>(9 * a);
-            if constexpr (is_first)
-              of_node = slope * rows.template leftCols<9>();
-            else
-              of_node += slope * rows.template leftCols<9>();
-            of_node.template rightCols<6>() +=
-              point.value[a] * rows.template rightCols<6>();
-          }
+        for (int b = 0; b <= degree; ++b)
+          for (unsigned int l = 0; l < 3; ++l)
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                // How the forces of all parts change with the block's
+                // component.
+                const double slope = weight * point.slope[b] / length,
+                             value = weight * point.value[b];
+                Fields change;
+                for (unsigned int part = 0; part < n_parts; ++part)
+                  {
+                    change[part] = slope * hessian.columns[part][l][c];
+                    if (l > 0)
+                      change[part] += value * hessian.columns[part][l + 2][c];
+                  }
+                Lanes<4> *sums = tangent.columns[3 * b + l][c];
+                for (int a = 0; a <= degree; ++a)
+                  for (unsigned int k = 0; k < 3; ++k, ++sums)
+                    {
+                      *sums += point.slope[a] / length * change[k];
+                      if (k > 0)
+                        *sums += point.value[a] * change[k + 2];
+                    }
+              }
       }
 
 
@@ -450,16 +511,15 @@ namespace Heddle
       const Law law(section);
       for (const auto &point : points)
         {
-          const Fields    p         = interpolate(point, blocks, length);
-          const Fields    dp        = interpolate(point, increment, length);
-          const Gradients gradients = gradients_of(p);
-          Strains         e         = elastic_strains(p, reference_strains);
+          const Fields  p      = interpolate(point, blocks, length);
+          const Fields  dp     = interpolate(point, increment, length);
+          const Strains change = change_of_strains(p, dp);
+          Strains       e      = elastic_strains(p, reference_strains);
           for (unsigned int i = 0; i < n_strains_at_point; ++i)
-            for (unsigned int c = 0; c < n_fields; ++c)
-              e[i] += gradients(c, i) * dp[c];
-          law.apply<1>(e.data(), stresses);
+            e[i] += change[i];
+          const Strains s = law.stresses(e);
+          stresses        = std::copy(s.begin(), s.end(), stresses);
           reference_strains += n_strains_at_point;
-          stresses += n_strains_at_point;
         }
     }
 
@@ -478,42 +538,43 @@ namespace Heddle
       constexpr unsigned int n = 9 * (degree + 1);
       if (residual != nullptr)
         std::fill_n(residual, n, 0.);
-      const Law law(section);
-      double    energy = 0.;
+      const Law                   law(section);
+      std::array<Fields, degree>  fields;
+      std::array<Strains, degree> stresses;
+      double                      energy = 0.;
       for (int q = 0; q < degree; ++q)
         {
-          const auto   &point  = points[q];
-          const double  weight = point.weight * length;
-          const Fields  p      = interpolate(point, blocks, length);
-          const Strains e =
-            elastic_strains(p, reference_strains + q * n_strains_at_point);
-          Strains stresses;
-          law.apply<1>(e.data(), stresses.data());
+          const double weight = points[q].weight * length;
+          fields[q]           = interpolate(points[q], blocks, length);
+          const Strains e     = elastic_strains(
+            fields[q], reference_strains + q * n_strains_at_point);
+          stresses[q] = law.stresses(e);
           for (unsigned int i = 0; i < n_strains_at_point; ++i)
-            energy += .5 * weight * e[i] * stresses[i];
+            energy += .5 * weight * e[i] * stresses[q][i];
 
           if (residual != nullptr)
             {
-              Fields forces = forces_of(p, stresses);
-              for (double &force : forces)
+              Fields forces = forces_of(fields[q], stresses[q]);
+              for (Lanes<4> &force : forces.parts)
                 force *= weight;
-              add_forces(point, forces, length, residual);
-            }
-          if (tangent != nullptr)
-            {
-              if (predicted_stresses != nullptr)
-                std::copy_n(predicted_stresses + q * n_strains_at_point,
-                            n_strains_at_point,
-                            stresses.begin());
-              const Hessian hessian = hessian_of(law, p, stresses);
-              if (q == 0)
-                add_hessian<degree, true>(
-                  point, hessian, length, weight, tangent);
-              else
-                add_hessian<degree, false>(
-                  point, hessian, length, weight, tangent);
+              add_forces(points[q], forces, length, residual);
             }
         }
+      if (tangent == nullptr)
+        return energy;
+
+      Tangent<degree> sums;
+      for (int q = 0; q < degree; ++q)
+        {
+          if (predicted_stresses != nullptr)
+            std::copy_n(predicted_stresses + q * n_strains_at_point,
+                        n_strains_at_point,
+                        stresses[q].begin());
+          const Hessian hessian(law, fields[q], stresses[q]);
+          add_hessian(
+            points[q], hessian, length, points[q].weight * length, sums);
+        }
+      sums.write(tangent);
       return energy;
     }
 
@@ -531,7 +592,7 @@ namespace Heddle
       // the two of the quadratic element.
       const unsigned int first = (degree - 1) / 2, last = degree / 2;
 
-      Strains e{}, s;
+      Strains e{};
       for (unsigned int q = first; q <= last; ++q)
         {
           const Strains at_point =
@@ -540,7 +601,7 @@ namespace Heddle
           for (unsigned int i = 0; i < n_strains_at_point; ++i)
             e[i] += at_point[i] / (last - first + 1);
         }
-      Law(section).apply<1>(e.data(), s.data());
+      const Strains s = Law(section).stresses(e);
 
       SectionState state;
       state.axial_strain = e[0];
@@ -571,9 +632,8 @@ namespace Heddle
         {
           const Strains e = elastic_strains(interpolate(point, blocks, length),
                                             reference_strains);
-          Strains       s;
-          Law(section).apply<1>(e.data(), s.data());
-          Strains w;
+          const Strains s = Law(section).stresses(e);
+          Strains       w;
           for (unsigned int i = 0; i < n_strains_at_point; ++i)
             w[i] = .5 * point.weight * length * e[i] * s[i];
 

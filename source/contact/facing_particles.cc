@@ -1,3 +1,4 @@
+#include <heddle/base/lanes.h>
 #include <heddle/contact/facing_particles.h>
 #include <heddle/contact/intermediate_geometry.h>
 
@@ -20,22 +21,6 @@ namespace Heddle
       constexpr double last_step_downhill = 1e-9;
 
       constexpr unsigned int max_iterations = 30;
-
-
-
-      /**
-       * One number for each of n searches, side by side in one register: a
-       * vector of GCC and Clang, for of loops over arrays the compiler leaves
-       * most to one lane after the other.
-       */
-      template <unsigned int n>
-      struct Register
-      {
-        typedef double Lanes __attribute__((vector_size(8 * n)));
-      };
-
-      template <unsigned int n>
-      using Lanes = typename Register<n>::Lanes;
 
 
 

@@ -1,21 +1,10 @@
+#include <heddle/base/lanes.h>
 #include <heddle/system/pair_couplings.h>
 
 namespace Heddle
 {
   namespace System
   {
-    namespace
-    {
-      /**
-       * The three components of a block and a zero, which fill a register: a
-       * vector of GCC and Clang, for loops over arrays of four are slower, and
-       * Eigen's arrays take ten times as long in Debug.
-       */
-      typedef double Register __attribute__((vector_size(32)));
-    } // namespace
-
-
-
     template <unsigned int n_of_side>
     void
     PairCouplings<n_of_side>::clear()
@@ -46,20 +35,20 @@ namespace Heddle
     {
       for_each_group(
         [&](const Blocks &blocks, const Term *first, const Term *end) {
-          Register motion_of[2][n_of_side], force_on[2][n_of_side];
+          Lanes<4> motion_of[2][n_of_side], force_on[2][n_of_side];
           for (unsigned int side = 0; side < 2; ++side)
             for (unsigned int i = 0; i < n_of_side; ++i)
               {
                 const Tensor<1, 3> &block =
                   motion[blocks[side * n_of_side + i]];
-                motion_of[side][i] = Register{block[0], block[1], block[2], 0.};
-                force_on[side][i]  = Register{};
+                motion_of[side][i] = Lanes<4>{block[0], block[1], block[2], 0.};
+                force_on[side][i]  = Lanes<4>{};
               }
           for (const Term *term = first; term < end; ++term)
             {
               // In the order xx, yy, zz, xy, xz, yz.
               const double  *raw = term->stiffness.begin_raw();
-              const Register k[] = {{raw[0], raw[3], raw[4], 0.},
+              const Lanes<4> k[] = {{raw[0], raw[3], raw[4], 0.},
                                     {raw[3], raw[1], raw[5], 0.},
                                     {raw[4], raw[5], raw[2], 0.}};
               for (unsigned int side = 0; side < 2; ++side)
@@ -69,14 +58,14 @@ namespace Heddle
                                  term->weights.data() + (1 - side) * n_of_side;
 
                   // Two sums do not wait for each other.
-                  Register even = {}, odd = {};
+                  Lanes<4> even = {}, odd = {};
                   for (unsigned int i = 0; i < n_of_side; i += 2)
                     {
                       even += here[i] * motion_of[side][i];
                       odd += here[i + 1] * motion_of[side][i + 1];
                     }
-                  const Register sum = even + odd;
-                  const Register force =
+                  const Lanes<4> sum = even + odd;
+                  const Lanes<4> force =
                     k[0] * sum[0] + k[1] * sum[1] + k[2] * sum[2];
                   for (unsigned int i = 0; i < n_of_side; ++i)
                     force_on[1 - side][i] += there[i] * force;
