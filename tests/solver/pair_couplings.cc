@@ -1,10 +1,10 @@
 // What couples particles, of two fibers or of a coil, by contact and by
 // friction is the same beside the matrix as in it: products with the tangent
 // and what prescribed motion raises, with constraints in frames of their own;
-// how whole yarns move; and what conjugate gradients find. Beside it no pattern
-// grows old: when the fibers have found others to touch it still has all
-// places, but for friction of the torsion-free element, which asks for another
-// one.
+// how parts of yarns move; and what conjugate gradients find. Beside it no
+// pattern grows old: when the fibers have found others to touch it still has
+// all places, but for friction of the torsion-free element, which asks for
+// another one.
 #include <heddle/base/petsc.h>
 #include <heddle/contributions/fiber_friction.h>
 #include <heddle/solver/linear_solver.h>

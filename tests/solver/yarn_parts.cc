@@ -1,5 +1,5 @@
 // Yarns of 1, 2, 13, 36 and 102 fibers in no order, along and across: parts
-// have the fibers of their yarn, each of them once; they differ by two fibers
+// have the fibers of their yarn, each of them once; they differ by one fiber
 // at most; the boxes around them, in the section at the middle, do not overlap.
 #include <heddle/solver/yarn_parts.h>
 

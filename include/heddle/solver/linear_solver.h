@@ -80,8 +80,8 @@ namespace Heddle
        * where no fibers come near each other.
        *
        * Without @p yarn_motions conjugate gradients are not helped to find how
-       * whole yarns move: they then move less than they should, as if damped.
-       * Their tolerance is @p looser times the usual one.
+       * yarns and their parts move: they then move less than they should, as if
+       * damped. Their tolerance is @p looser times the usual one.
        * @note Collective.
        */
       LinearResult
