@@ -79,8 +79,7 @@ namespace Heddle
 
       const auto left       = memory.at(touching, 0.5 * radius);
       element.energy_before = element.law.energy_ratio(left.displacement);
-      element.set_displacement(state,
-                               motion,
+      element.set_displacement(motion,
                                share_of_step(touching, motion),
                                left.displacement,
                                left.orientation);

@@ -57,15 +57,13 @@ namespace Heddle
       const double                s     = side == 0 ? s_a : s_b;
       const double                sign  = side == 0 ? 1. : -1.;
       const int                   first = state.local_block(fiber);
-      const System::MaterialPoint axis  = space.locate(fiber, s);
-      const System::MaterialPoint slope = space.locate_tangent(fiber, s);
-      Assert(axis.blocks == slope.blocks,
-             ExcMessage("Positions and tangents share their blocks."));
+      std::array<double, 4>       slope;
+      const System::MaterialPoint axis = space.locate(fiber, s, slope);
       for (unsigned int i = 0; i < 4; ++i, ++n_blocks)
         {
           blocks[n_blocks]     = first + axis.blocks[i];
           weights[n_blocks]    = sign * axis.values[i];
-          slopes[4 * side + i] = slope.values[i];
+          slopes[4 * side + i] = slope[i];
         }
       if (space.n_blocks_per_node() == 2)
         return;
@@ -101,14 +99,17 @@ namespace Heddle
       for (unsigned int side = 0; side < 2; ++side)
         {
           const unsigned int first = side * (n_blocks / 2);
-          Tensor<1, 3>       position;
+          Tensor<1, 3>       position, surface;
           for (unsigned int i = 0; i < 4; ++i)
             {
               const Tensor<1, 3> &block = values[blocks[first + i]];
               position += weights[first + i] * block;
               result.tangent[side] += slopes[4 * side + i] * block;
             }
+          for (unsigned int i = first + 4; i < first + n_blocks / 2; ++i)
+            surface += weights[i] * values[blocks[i]];
           result.connection += position;
+          result.separation += position + surface;
         }
       return result;
     }
@@ -132,7 +133,6 @@ namespace Heddle
       const auto &t      = result.now.tangent;
       result.cosine      = t[0] * t[1] / (t[0].norm() * t[1].norm());
       result.frame       = result.now.frame(orientation);
-      result.arm         = separation(state.current());
       const Pair   then  = pair(state.accepted());
       Tensor<2, 3> frame = then.frame(orientation);
       result.gap_before =
@@ -140,8 +140,8 @@ namespace Heddle
         (state.space.fiber(fiber_a).radius + state.space.fiber(fiber_b).radius);
 
       const Tensor<1, 3> began =
-        transpose(result.frame) * (frame * separation(state.accepted()));
-      result.displacement = result.arm - began;
+        transpose(result.frame) * (frame * then.separation);
+      result.displacement = result.now.separation - began;
       result.displacement -= (result.displacement * normal) * normal;
       return result;
     }
@@ -149,11 +149,10 @@ namespace Heddle
 
 
     void
-    FrictionElement::set_displacement(const System::State &state,
-                                      const Motion        &motion,
-                                      const double         share,
-                                      const Tensor<1, 3>  &left,
-                                      const int            left_orientation)
+    FrictionElement::set_displacement(const Motion       &motion,
+                                      const double        share,
+                                      const Tensor<1, 3> &left,
+                                      const int           left_orientation)
     {
       const Tensor<2, 3> &frame = motion.frame;
       axes[0]                   = frame[0] - (frame[0] * normal) * normal;
@@ -169,7 +168,7 @@ namespace Heddle
       offset -= (offset * normal) * normal;
 
       lean(motion, share);
-      const auto linear = components(state.current());
+      const auto linear = components(motion.now);
       for (unsigned int k = 0; k < 2; ++k)
         offset -= linear[k] * axes[k];
     }
@@ -187,12 +186,13 @@ namespace Heddle
       // The rotation w of the pair takes the arm d between the particles along:
       // a motion less w x d rubs. The moment of both forces is borne by what
       // turns the pair, so all moments balance. On surfaces there is no arm.
-      const auto   turning = Contact::pair_turning(motion.now.tangent[0],
+      const auto          turning = Contact::pair_turning(motion.now.tangent[0],
                                                  motion.now.tangent[1],
                                                  orientation,
                                                  motion.now.connection);
-      const double along = motion.arm * axes[0], across = motion.arm * axes[1],
-                   up    = motion.arm * normal;
+      const Tensor<1, 3> &arm     = motion.now.separation;
+      const double        along = arm * axes[0], across = arm * axes[1],
+                   up    = arm * normal;
       const auto left_by = [&](const Tensor<1, 3> *w, const unsigned int k) {
         return share *
                (k == 0 ? across * w[2] - up * w[1] : up * w[0] - along * w[2]);
@@ -223,17 +223,16 @@ namespace Heddle
 
 
     std::array<double, 2>
-    FrictionElement::components(const Values &values) const
+    FrictionElement::components(const Pair &pair) const
     {
       // The same as by the derivative, in a third of the operations.
-      const Tensor<1, 3>    apart = separation(values);
-      std::array<double, 2> sums  = {
-         {by_separation[0] * apart, by_separation[1] * apart}};
-      if (has_sections())
-        return sums;
-      for (unsigned int i = 0; i < n_blocks; ++i)
-        for (unsigned int k = 0; k < 2; ++k)
-          sums[k] += slopes[i] * (by_tangent[i / 4][k] * values[blocks[i]]);
+      std::array<double, 2> sums;
+      for (unsigned int k = 0; k < 2; ++k)
+        {
+          sums[k] = by_separation[k] * pair.separation;
+          for (unsigned int side = 0; side < 2 && !has_sections(); ++side)
+            sums[k] += by_tangent[side][k] * pair.tangent[side];
+        }
       return sums;
     }
 
@@ -242,7 +241,13 @@ namespace Heddle
     Tensor<1, 3>
     FrictionElement::change(const Values &values) const
     {
-      const auto moved = components(values);
+      // Where there are sections the tangents do not count.
+      Pair motion;
+      if (has_sections())
+        motion.separation = separation(values);
+      else
+        motion = pair(values);
+      const auto moved = components(motion);
       return moved[0] * axes[0] + moved[1] * axes[1];
     }
 

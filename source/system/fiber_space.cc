@@ -37,6 +37,25 @@ namespace Heddle
             }
           return begin;
         }
+
+        /**
+         * Weights of three of @p n nodes at arc lengths @p s, in the derivative
+         * at @p node of the parabola through them; at the ends of a fiber these
+         * are the first or last three. Two nodes are joined by a line.
+         */
+        std::array<double, 3>
+        parabola_slope(const unsigned int node,
+                       const unsigned int n,
+                       const double      *s)
+        {
+          if (n == 2)
+            return {{-1. / s[1], 1. / s[1], 0.}};
+          const unsigned int i = std::min(std::max(node, 1u), n - 2);
+          const double       a = s[i - 1], b = s[i], c = s[i + 1], x = s[node];
+          return {{(2. * x - b - c) / ((a - b) * (a - c)),
+                   (2. * x - a - c) / ((b - a) * (b - c)),
+                   (2. * x - a - b) / ((c - a) * (c - b))}};
+        }
       } // namespace FiberSpaceImplementation
     }   // namespace internal
 
@@ -75,6 +94,10 @@ namespace Heddle
           fiber.length = begin;
           total_nodes += fiber.n_nodes;
           fibers.push_back(fiber);
+          for (unsigned int i = 0; i < fiber.n_nodes; ++i)
+            parabola_slopes.push_back(
+              internal::FiberSpaceImplementation::parabola_slope(
+                i, fiber.n_nodes, arc_lengths.data() + fiber.first_node));
         }
       rank_begin = internal::FiberSpaceImplementation::partition(
         fibers, total_nodes, Utilities::MPI::n_mpi_processes(communicator));
@@ -123,21 +146,13 @@ namespace Heddle
     FiberSpace::tangent_weights(const unsigned int f,
                                 const unsigned int node) const
     {
-      const double      *s = node_positions(f);
-      const unsigned int n = fibers[f].n_nodes;
-      if (n == 2)
-        {
-          const double slope = 1. / s[1];
-          return {{{0, -slope}, {1, slope}, {1, 0.}}};
-        }
+      const auto        &slopes = parabola_slopes[fibers[f].first_node + node];
+      const unsigned int first  = first_of_parabola(f, node);
 
-      // The derivative at `node` of the parabola through three nodes; at the
-      // ends, the three first or last ones.
-      const unsigned int i = std::min(std::max(node, 1u), n - 2);
-      const double       a = s[i - 1], b = s[i], c = s[i + 1], x = s[node];
-      return {{{i - 1, (2. * x - b - c) / ((a - b) * (a - c))},
-               {i, (2. * x - a - c) / ((b - a) * (b - c))},
-               {i + 1, (2. * x - a - b) / ((c - a) * (c - b))}}};
+      // Two nodes have none but a line: the third weight is zero.
+      return {{{first, slopes[0]},
+               {first + 1, slopes[1]},
+               {std::min(first + 2, fibers[f].n_nodes - 1), slopes[2]}}};
     }
 
 
@@ -148,30 +163,49 @@ namespace Heddle
       const double      *knots  = node_positions(f);
       const unsigned int i      = interval(f, s);
       const double       length = knots[i + 1] - knots[i];
-      const double       t      = (s - knots[i]) / length;
-      return combine(f,
-                     i,
-                     {{(1. + 2. * t) * (1. - t) * (1. - t),
-                       length * t * (1. - t) * (1. - t),
-                       t * t * (3. - 2. * t),
-                       -length * t * t * (1. - t)}});
+      return particle(f, i, (s - knots[i]) / length, length);
     }
 
 
 
     MaterialPoint
-    FiberSpace::locate_tangent(const unsigned int f, const double s) const
+    FiberSpace::locate(const unsigned int     f,
+                       const double           s,
+                       std::array<double, 4> &slopes) const
     {
       const double      *knots  = node_positions(f);
       const unsigned int i      = interval(f, s);
       const double       length = knots[i + 1] - knots[i];
       const double       t      = (s - knots[i]) / length;
-      return combine(f,
-                     i,
-                     {{-6. * t * (1. - t) / length,
-                       (1. - t) * (1. - 3. * t),
-                       6. * t * (1. - t) / length,
-                       -t * (2. - 3. * t)}});
+      const double       steep  = 6. * t * (1. - t) / length;
+      slopes                    = combine(
+        f, i, {{-steep, (1. - t) * (1. - 3. * t), steep, -t * (2. - 3. * t)}});
+      return particle(f, i, t, length);
+    }
+
+
+
+    MaterialPoint
+    FiberSpace::particle(const unsigned int f,
+                         const unsigned int i,
+                         const double       t,
+                         const double       length) const
+    {
+      MaterialPoint point;
+      point.values = combine(f,
+                             i,
+                             {{(1. + 2. * t) * (1. - t) * (1. - t),
+                               length * t * (1. - t) * (1. - t),
+                               t * t * (3. - 2. * t),
+                               -length * t * t * (1. - t)}});
+      if (blocks_per_node == 2)
+        point.blocks = {{2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3}};
+      else
+        // A fiber of two or three nodes repeats its last one, weight zero.
+        for (unsigned int k = 0; k < 4; ++k)
+          point.blocks[k] =
+            3 * std::min(first_of_interval(f, i) + k, fibers[f].n_nodes - 1);
+      return point;
     }
 
 
@@ -188,33 +222,25 @@ namespace Heddle
 
 
 
-    MaterialPoint
+    std::array<double, 4>
     FiberSpace::combine(const unsigned int           f,
                         const unsigned int           i,
                         const std::array<double, 4> &hermite) const
     {
       if (blocks_per_node == 2)
-        return {{{2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 3}}, hermite};
-
-      const unsigned int first =
-        (fibers[f].n_nodes < 4)
-          ? 0
-          : std::min(std::max(i, 1u) - 1, fibers[f].n_nodes - 4);
-      MaterialPoint point;
-      for (unsigned int k = 0; k < 4; ++k)
+        return hermite;
+      const unsigned int    first  = first_of_interval(f, i);
+      std::array<double, 4> values = {};
+      values[i - first] += hermite[0];
+      values[i + 1 - first] += hermite[2];
+      for (unsigned int end = 0; end < 2; ++end)
         {
-          // A fiber of two or three nodes repeats its last one, weight zero.
-          point.blocks[k] =
-            blocks_per_node * std::min(first + k, fibers[f].n_nodes - 1);
-          point.values[k] = 0.;
+          const auto &slopes = parabola_slopes[fibers[f].first_node + i + end];
+          double     *below  = &values[first_of_parabola(f, i + end) - first];
+          for (unsigned int k = 0; k < 3; ++k)
+            below[k] += hermite[1 + 2 * end] * slopes[k];
         }
-      point.values[i - first] += hermite[0];
-      point.values[i + 1 - first] += hermite[2];
-      for (const auto &weight : tangent_weights(f, i))
-        point.values[weight.first - first] += hermite[1] * weight.second;
-      for (const auto &weight : tangent_weights(f, i + 1))
-        point.values[weight.first - first] += hermite[3] * weight.second;
-      return point;
+      return values;
     }
 
 

@@ -44,11 +44,12 @@ namespace Heddle
       FrictionElement(const System::State           &state,
                       const Contact::ContactElement &touching);
 
-      /** The pair of particles on the axes in some configuration. */
+      /** The pair of particles in some configuration, or its motion. */
       struct Pair
       {
         Tensor<1, 3> tangent[2];
-        Tensor<1, 3> connection; /**< from b to a [mm] */
+        Tensor<1, 3> connection; /**< of the axes, from b to a [mm] */
+        Tensor<1, 3> separation; /**< of the particles [mm] */
 
         Tensor<2, 3>
         frame(const int orientation) const;
@@ -64,7 +65,6 @@ namespace Heddle
         Tensor<2, 3> frame;      /**< of the pair now, by its orientation */
         double       cosine;     /**< of the angle between the fibers now [-] */
         double       gap_before; /**< of the surfaces at the last step [mm] */
-        Tensor<1, 3> arm;        /**< between the particles now [mm] */
 
         /** In the plane, without the rotation that both fibers share [mm]. */
         Tensor<1, 3> displacement;
@@ -79,11 +79,10 @@ namespace Heddle
        * part @p share of the @p motion since.
        */
       void
-      set_displacement(const System::State &state,
-                       const Motion        &motion,
-                       const double         share,
-                       const Tensor<1, 3>  &left,
-                       const int            left_orientation);
+      set_displacement(const Motion       &motion,
+                       const double        share,
+                       const Tensor<1, 3> &left,
+                       const int           left_orientation);
 
       /** Derivatives of both components of the displacement by the blocks. */
       struct Derivative
@@ -169,9 +168,9 @@ namespace Heddle
       void
       lean(const Motion &motion, const double share);
 
-      /** Both components of a change. */
+      /** Both components of what the motion or place @p pair makes. */
       std::array<double, 2>
-      components(const Values &values) const;
+      components(const Pair &pair) const;
 
       /** How the blocks make up the separation of the particles [-, mm]. */
       Weights weights;

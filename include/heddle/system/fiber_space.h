@@ -232,9 +232,14 @@ namespace Heddle
       MaterialPoint
       locate(const unsigned int f, const double s) const;
 
-      /** The same for the derivative of the position in arc length [1/mm]. */
+      /**
+       * The same; the derivative of the position in arc length is the sum of
+       * the same blocks with the weights @p slopes [1/mm].
+       */
       MaterialPoint
-      locate_tangent(const unsigned int f, const double s) const;
+      locate(const unsigned int     f,
+             const double           s,
+             std::array<double, 4> &slopes) const;
 
       /** Return what the section at @p s is made of: three blocks per node. */
       SectionPoint
@@ -296,11 +301,37 @@ namespace Heddle
       tangent_weights(const unsigned int f, const unsigned int node) const;
 
     private:
-      /**
-       * The blocks from which the centerline between nodes @p i and i + 1
-       * follows, with the weights @p hermite of position and slope at both.
-       */
+      /** First of the three nodes whose parabola gives the slope of a node. */
+      unsigned int
+      first_of_parabola(const unsigned int f, const unsigned int node) const
+      {
+        return std::min(std::max(node, 1u),
+                        std::max(fibers[f].n_nodes, 3u) - 2) -
+               1;
+      }
+
+      /** First of the four nodes below the centerline from node @p i to the
+       * next one, where their slopes follow from their positions. */
+      unsigned int
+      first_of_interval(const unsigned int f, const unsigned int i) const
+      {
+        return std::min(std::max(i, 1u), std::max(fibers[f].n_nodes, 4u) - 3) -
+               1;
+      }
+
+      /** The particle at the part @p t of the way from node @p i to the next
+       * one, which is @p length. */
       MaterialPoint
+      particle(const unsigned int f,
+               const unsigned int i,
+               const double       t,
+               const double       length) const;
+
+      /**
+       * Weights of the blocks below the centerline from node @p i to the next
+       * one, where position and slope at both have the weights @p hermite.
+       */
+      std::array<double, 4>
       combine(const unsigned int           f,
               const unsigned int           i,
               const std::array<double, 4> &hermite) const;
@@ -312,7 +343,10 @@ namespace Heddle
       unsigned int                         total_nodes;
       std::vector<Fiber>                   fibers;
       std::vector<double>                  arc_lengths;
-      std::vector<unsigned int>            rank_begin;
+
+      /** Weights of the nodes of a parabola in the slope of each node. */
+      std::vector<std::array<double, 3>> parabola_slopes;
+      std::vector<unsigned int>          rank_begin;
     };
   } // namespace System
 } // namespace Heddle
