@@ -51,14 +51,14 @@ namespace Heddle
       inline std::array<Factors, n_bending>
       curvature_factors(const double length)
       {
+        const double                   inverse = 1. / length;
         std::array<Factors, n_bending> factors;
         for (unsigned int q = 0; q < n_bending; ++q)
           {
-            const double x = q == 0 ? -gauss_point : gauss_point;
-            factors[q]     = {{6. * x / (length * length),
-                               (3. * x - 1.) / length,
-                               -6. * x / (length * length),
-                               (3. * x + 1.) / length}};
+            const double x   = q == 0 ? -gauss_point : gauss_point;
+            const double way = 6. * x * inverse * inverse;
+            factors[q]       = {
+                    {way, (3. * x - 1.) * inverse, -way, (3. * x + 1.) * inverse}};
           }
         return factors;
       }
@@ -102,18 +102,18 @@ namespace Heddle
           return std::sqrt(x * x + rounding * rounding * magnitude * magnitude);
         }
 
-        /** Return m(x) - m_0, the elastic strain. */
+        /** Return m - m_0, the elastic strain where m(x) is @p m. */
         double
-        strain(const Tensor<1, 3> &x) const
+        strain(const double m) const
         {
-          return value(x) - rest;
+          return m - rest;
         }
 
-        /** Return m_0 / m(x), and zero for a straight reference. */
+        /** Return m_0 / m, and zero for a straight reference. */
         double
-        ratio(const Tensor<1, 3> &x) const
+        ratio(const double m) const
         {
-          return rest > 0. ? rest / value(x) : 0.;
+          return rest > 0. ? rest / m : 0.;
         }
 
       private:
@@ -169,6 +169,19 @@ namespace Heddle
           values.noalias() += (along * direction) * direction.transpose();
         }
 
+        /** The same where the vector is the block @p a itself. */
+        void
+        add_to_block(const unsigned int  a,
+                     const Tensor<1, 3> &x,
+                     const double        isotropic,
+                     const double        along)
+        {
+          identities[a][a] += isotropic;
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+              values(3 * a + i, 3 * a + j) += along * x[i] * x[j];
+        }
+
         /** Add what is isotropic, at last and once for all points. */
         void
         end()
@@ -195,24 +208,34 @@ namespace Heddle
                      double             *residual,
                      Tangent            *tangent)
       {
-        const auto factors = tangent_factors(length);
-        double     energy  = 0.;
+        const Factors in_the_middle = tangent_factors(length)[1];
+        double        energy        = 0.;
         for (unsigned int q = 0; q < n_axial; ++q)
           {
-            const Tensor<1, 3> x      = combine(factors[q], blocks);
-            const double       weight = axial_weight[q] * length;
-            const double       strain = axial_strain(x) - reference_strains[q];
-            const double       stress = section.axial * strain;
+            // At a node r' is an unknown: that block.
+            const bool         at_node = q != 1;
+            const unsigned int block   = q == 0 ? 1 : 3;
+            const Tensor<1, 3> x =
+              at_node ? blocks[block] : combine(in_the_middle, blocks);
+            const double weight = axial_weight[q] * length;
+            const double strain = axial_strain(x) - reference_strains[q];
+            const double stress = section.axial * strain;
             energy += .5 * weight * stress * strain;
-            if (residual != nullptr)
-              add_residual(factors[q], weight * stress * x, residual);
-            if (tangent != nullptr)
-              tangent->add(factors[q],
-                           x,
-                           weight * (predicted_stresses != nullptr
-                                       ? predicted_stresses[q]
-                                       : stress),
-                           weight * section.axial);
+            if (residual != nullptr && at_node)
+              for (unsigned int i = 0; i < 3; ++i)
+                residual[3 * block + i] += weight * stress * x[i];
+            else if (residual != nullptr)
+              add_residual(in_the_middle, weight * stress * x, residual);
+            if (tangent == nullptr)
+              continue;
+            const double isotropic =
+              weight *
+              (predicted_stresses != nullptr ? predicted_stresses[q] : stress);
+            const double along = weight * section.axial;
+            if (at_node)
+              tangent->add_to_block(block, x, isotropic, along);
+            else
+              tangent->add(in_the_middle, x, isotropic, along);
           }
         return energy;
       }
@@ -236,19 +259,17 @@ namespace Heddle
             const Tensor<1, 3>     x = combine(factors[q], blocks);
             const double           stiffness =
               bending_weight[q] * length * section.bending;
-            const double strain = curvature.strain(x);
-            const double ratio  = curvature.ratio(x);
+            const double m      = curvature.value(x);
+            const double strain = curvature.strain(m);
+            const double ratio  = curvature.ratio(m);
             energy += .5 * stiffness * strain * strain;
             if (residual != nullptr)
               add_residual(factors[q], stiffness * (1. - ratio) * x, residual);
             if (tangent != nullptr)
-              {
-                const double m = curvature.value(x);
-                tangent->add(factors[q],
-                             x,
-                             stiffness * (1. - ratio),
-                             ratio > 0. ? stiffness * ratio / (m * m) : 0.);
-              }
+              tangent->add(factors[q],
+                           x,
+                           stiffness * (1. - ratio),
+                           ratio > 0. ? stiffness * ratio / (m * m) : 0.);
           }
         return energy;
       }
@@ -317,10 +338,13 @@ namespace Heddle
                              x * combine(factors, increment));
         }
       for (const Factors &factors : curvature_factors(length))
-        *stresses++ =
-          section.bending *
-          RoundedCurvature(*reference_strains++, length)
-            .strain(combine(factors, blocks) + combine(factors, increment));
+        {
+          const RoundedCurvature curvature(*reference_strains++, length);
+          *stresses++ =
+            section.bending *
+            curvature.strain(curvature.value(combine(factors, blocks) +
+                                             combine(factors, increment)));
+        }
     }
 
 
@@ -373,10 +397,13 @@ namespace Heddle
       // The mean of the two points, so that the reference itself gives zero.
       const auto factors = curvature_factors(length);
       for (unsigned int q = 0; q < n_bending; ++q)
-        state.curvature[0] +=
-          bending_weight[q] *
-          RoundedCurvature(reference_strains[n_axial + q], length)
-            .strain(combine(factors[q], blocks));
+        {
+          const RoundedCurvature curvature(reference_strains[n_axial + q],
+                                           length);
+          state.curvature[0] +=
+            bending_weight[q] *
+            curvature.strain(curvature.value(combine(factors[q], blocks)));
+        }
       state.bending_moment[0] = section.bending * state.curvature[0];
       return state;
     }

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
+
 namespace Heddle
 {
   namespace System
@@ -59,9 +61,11 @@ namespace Heddle
                       dealii::ExcMessage("The pattern lacks a block."));
           double       *block = values + 9 * k;
           const double *value = added + 3 * places[c];
+          double        sums[9];
           for (unsigned int j = 0; j < 3; ++j)
             for (unsigned int i = 0; i < 3; ++i)
-              block[3 * j + i] += value[stride * i + j];
+              sums[3 * j + i] = block[3 * j + i] + value[stride * i + j];
+          std::copy_n(sums, 9, block);
         }
     }
   } // namespace System
