@@ -23,6 +23,13 @@ def build():
                    check=True)
 
 
+def packing(number):
+    """Return the settings of packing 0, as shipped, or of another one, with
+    fibers shifted as far as their gaps allow."""
+    return [] if number == 0 else ["Weave/Warp yarns/Packing perturbation=1",
+                                   f"Weave/Warp yarns/Packing seed={number}"]
+
+
 def timed(command, folder, place):
     """Run a command in a place, what it prints goes to the file screen.txt in a
     folder; return its exit code, wall time and resource usage."""
