@@ -36,14 +36,14 @@ namespace Heddle
      *
      * | index | strain | formula |
      * |---|---|---|
-     * | 0      | axial                   | $\epsilon = (r' \cdot r' - 1) / 2$ |
-     * | 1, 2   | transverse shear        | $\gamma_a = r' \cdot g_a$ |
-     * | 3, 4   | section stretch         | $E_a = (g_a \cdot g_a - 1) / 2$ |
-     * | 5      | section shear           | $g_1 \cdot g_2$ |
-     * | 6, 7   | bending                 | $\kappa_a = r' \cdot g_a'$ |
-     * | 8      | twist, right-handed     | $(g_2 \cdot g_1' - g_1 \cdot
-     * g_2')/2$ | | 9, 10  | gradient of the stretch | $g_a \cdot g_a'$ | | 11
-     * | gradient of the shear   | $(g_1 \cdot g_2' + g_2 \cdot g_1')/2$ |
+     * | 0 | axial | $\epsilon = (r' \cdot r' - 1) / 2$ |
+     * | 1, 2 | transverse shear | $\gamma_a = r' \cdot g_a$ |
+     * | 3, 4 | section stretch | $E_a = (g_a \cdot g_a - 1) / 2$ |
+     * | 5 | section shear | $g_1 \cdot g_2$ |
+     * | 6, 7 | bending | $\kappa_a = r' \cdot g_a'$ |
+     * | 8 | twist, right-handed | $(g_2 \cdot g_1' - g_1 \cdot g_2')/2$ |
+     * | 9, 10 | gradient of the stretch | $g_a \cdot g_a'$ |
+     * | 11 | gradient of the shear | $(g_1 \cdot g_2' + g_2 \cdot g_1')/2$ |
      *
      * The strains of the reference are subtracted, so references may be curved,
      * twisted or pre-strained.
