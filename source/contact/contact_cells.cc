@@ -100,44 +100,7 @@ namespace Heddle
         return std::min(std::pow(penetration / wanted, 1. / power),
                         largest_growth);
       }
-
-
-
-      /** The middle of a cell, and the particles that face each other there. */
-      struct CellPlace
-      {
-        double size, p, q, s_a, s_b; /**< [mm] */
-      };
-
-
-
-      CellPlace
-      place_of(const ContactCell &cell, const double whole)
-      {
-        const double size = whole / (1u << cell.level);
-        const double p    = (cell.number + 0.5) * size;
-        const double q    = 0.5 * (cell.q_begin + cell.q_end);
-        return {size, p, q, 0.5 * (p + q), 0.5 * cell.orientation * (p - q)};
-      }
     } // namespace
-
-
-
-    void
-    CurveList::reset(const unsigned int n_fibers)
-    {
-      curves.clear();
-      position.assign(n_fibers, 0);
-    }
-
-
-
-    void
-    CurveList::add(const NumberedCurve &curve)
-    {
-      position[curve.fiber] = curves.size();
-      curves.emplace_back(curve);
-    }
 
 
 
@@ -263,13 +226,12 @@ namespace Heddle
             ++last;
           if (filter(first->fiber_a, first->fiber_b))
             {
-              const Curve   &a     = curves[first->fiber_a];
-              const Curve   &b     = curves[first->fiber_b];
-              const double   whole = whole_cell(a, b);
-              const OldCells old =
-                cells_of(first->fiber_a, first->fiber_b, old_cells);
+              const Curve   &a = curves[first->fiber_a];
+              const Curve   &b = curves[first->fiber_b];
+              const OldCells old(
+                first->fiber_a, first->fiber_b, whole_cell(a, b), old_cells);
               const auto known = [&](const double s_a, const double s_b) {
-                const ContactCell *before = nearest(old, s_a, s_b, whole);
+                const ContactCell *before = old.nearest(s_a, s_b);
                 return before != nullptr ? before->orientation : 0;
               };
               const auto first_of_pair = all_cells.size();
@@ -333,7 +295,7 @@ namespace Heddle
       const double       parting = 0.5 * whole * zone.sine;
       const auto         closest = zone.closest();
       const ContactCell *before =
-        nearest(old_cells, closest.first, closest.second, whole);
+        old_cells.nearest(closest.first, closest.second);
       cell.level = level_for(parting / radius);
       if (before != nullptr)
         cell.level = std::clamp(before->level,
@@ -388,7 +350,7 @@ namespace Heddle
           cell.q_end   = end.q;
           if (is_covered(cell, size, first_of_pair, first_of_zone))
             continue;
-          const ContactCell *old = stiffest(cell, whole, old_cells);
+          const ContactCell *old = old_cells.stiffest(cell);
           cell.penalty    = old ? old->penalty / old->kept * cell.kept : 0.;
           cell.hardened   = old ? old->hardened : 1.;
           cell.raised_by  = old ? old->raised_by : 1.;
@@ -423,97 +385,6 @@ namespace Heddle
             return true;
         }
       return false;
-    }
-
-
-
-    ContactCells::OldCells
-    ContactCells::cells_of(const unsigned int              fiber_a,
-                           const unsigned int              fiber_b,
-                           const std::vector<ContactCell> &cells)
-    {
-      const auto before =
-        [](const ContactCell                           &cell,
-           const std::pair<unsigned int, unsigned int> &pair) {
-          return std::tie(cell.fiber_a, cell.fiber_b) <
-                 std::tie(pair.first, pair.second);
-        };
-      const auto begin = std::lower_bound(
-        cells.begin(), cells.end(), std::make_pair(fiber_a, fiber_b), before);
-      const auto end = std::lower_bound(
-        begin, cells.end(), std::make_pair(fiber_a, fiber_b + 1), before);
-      return {cells.data() + (begin - cells.begin()),
-              cells.data() + (end - cells.begin())};
-    }
-
-
-
-    const ContactCell *
-    ContactCells::nearest(const OldCells &old_cells,
-                          const double    s_a,
-                          const double    s_b,
-                          const double    whole)
-    {
-      double             nearest = 2. * whole;
-      const ContactCell *found   = nullptr;
-      for (const ContactCell &old : old_cells)
-        {
-          const CellPlace there = place_of(old, whole);
-          const double    apart =
-            std::abs(there.s_a - s_a) + std::abs(there.s_b - s_b);
-          if (apart < nearest)
-            {
-              nearest = apart;
-              found   = &old;
-            }
-        }
-      return found;
-    }
-
-
-
-    const ContactCell *
-    ContactCells::stiffest(const ContactCell &cell,
-                           const double       whole,
-                           const OldCells    &old_cells)
-    {
-      // The cell itself, one of another level that covers its middle, or, where
-      // the fibers turned through a right angle, one of the other orientation
-      // between the same particles. If all are of one kind it can only be one
-      // of the same number.
-      const auto alike = [&cell](const ContactCell &old) {
-        return old.orientation == cell.orientation && old.level == cell.level;
-      };
-      OldCells eligible = old_cells;
-      if (old_cells.first != old_cells.last && alike(*old_cells.first) &&
-          alike(*(old_cells.last - 1)))
-        {
-          const auto number_below = [](const ContactCell &old,
-                                       const int          number) {
-            return old.number < number;
-          };
-          eligible.first = std::lower_bound(
-            old_cells.first, old_cells.last, cell.number, number_below);
-          eligible.last = std::lower_bound(
-            eligible.first, old_cells.last, cell.number + 1, number_below);
-        }
-
-      const CellPlace    here  = place_of(cell, whole);
-      const ContactCell *found = nullptr;
-      for (const ContactCell &old : eligible)
-        {
-          const CellPlace there = place_of(old, whole);
-          const double    close = 0.3 * (there.size + here.size);
-          const bool      same =
-            old.orientation == cell.orientation
-                   ? std::abs(there.p - here.p) < 0.51 * there.size &&
-                  std::abs(there.q - here.q) < whole
-                   : std::abs(there.s_a - here.s_a) < close &&
-                  std::abs(there.s_b - here.s_b) < close;
-          if (same && (!found || old.penalty > found->penalty))
-            found = &old;
-        }
-      return found;
     }
 
 

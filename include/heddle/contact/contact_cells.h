@@ -1,9 +1,10 @@
 #ifndef heddle_contact_contact_cells_h
 #define heddle_contact_contact_cells_h
 
-#include <heddle/contact/broad_phase.h>
 #include <heddle/contact/contact_cell.h>
+#include <heddle/contact/curve_list.h>
 #include <heddle/contact/normal_law.h>
+#include <heddle/contact/old_cells.h>
 #include <heddle/contact/proximity_zone.h>
 
 #include <functional>
@@ -15,48 +16,6 @@ namespace Heddle
 {
   namespace Contact
   {
-    /** The curves of all fibers that a rank knows, found by fiber number. */
-    class CurveList
-    {
-    public:
-      /** Begin a list for fibers 0 to @p n_fibers - 1. */
-      void
-      reset(const unsigned int n_fibers);
-
-      void
-      add(const NumberedCurve &curve);
-
-      const Curve &
-      operator[](const unsigned int fiber) const
-      {
-        return curves[position[fiber]].curve;
-      }
-
-      void
-      set_stale(const unsigned int fiber)
-      {
-        curves[position[fiber]].stale = true;
-      }
-
-      bool
-      is_stale(const unsigned int fiber) const
-      {
-        return curves[position[fiber]].stale;
-      }
-
-      const std::vector<NumberedCurve> &
-      all() const
-      {
-        return curves;
-      }
-
-    private:
-      std::vector<NumberedCurve> curves;
-      std::vector<unsigned int>  position;
-    };
-
-
-
     /**
      * The discretisation of all intermediate geometries: proximity zones, the
      * cells that cover them, and the penalty of each cell. It outlives the
@@ -193,33 +152,10 @@ namespace Heddle
       ends_of(const CurveList                 &curves,
               const std::vector<unsigned int> &numbers) const;
 
-      /** The cells that a pair of fibers had before a search, sorted. */
-      struct OldCells
-      {
-        const ContactCell *first, *last;
-
-        const ContactCell *
-        begin() const
-        {
-          return first;
-        }
-
-        const ContactCell *
-        end() const
-        {
-          return last;
-        }
-      };
-
       /** Leave the cells, and zones, of pairs of which no curve is stale. */
       void
       keep_cells(const CurveList                &curves,
                  const std::vector<ContactCell> &old_cells);
-
-      static OldCells
-      cells_of(const unsigned int              fiber_a,
-               const unsigned int              fiber_b,
-               const std::vector<ContactCell> &cells);
 
       /** The cells of this pair of fibers begin with @p first_of_pair. */
       void
@@ -238,19 +174,6 @@ namespace Heddle
                  const double       size,
                  const std::size_t  first_of_pair,
                  const std::size_t  first_of_zone) const;
-
-      /** The nearest of @p old_cells, unless all are far. */
-      static const ContactCell *
-      nearest(const OldCells &old_cells,
-              const double    s_a,
-              const double    s_b,
-              const double    whole);
-
-      /** That of @p old_cells where the cell is now, or nullptr. */
-      static const ContactCell *
-      stiffest(const ContactCell &cell,
-               const double       whole,
-               const OldCells    &old_cells);
 
       double
       forgiven(const ContactCell &cell) const;
