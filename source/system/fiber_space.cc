@@ -98,9 +98,29 @@ namespace Heddle
             parabola_slopes.push_back(
               internal::FiberSpaceImplementation::parabola_slope(
                 i, fiber.n_nodes, arc_lengths.data() + fiber.first_node));
+          add_interval_slopes(fibers.size() - 1);
         }
       rank_begin = internal::FiberSpaceImplementation::partition(
         fibers, total_nodes, Utilities::MPI::n_mpi_processes(communicator));
+    }
+
+
+
+    void
+    FiberSpace::add_interval_slopes(const unsigned int f)
+    {
+      // A last one, of no interval, for the last node.
+      interval_slopes.resize(interval_slopes.size() + fibers[f].n_nodes);
+      for (unsigned int i = 0; i + 1 < fibers[f].n_nodes; ++i)
+        for (unsigned int end = 0; end < 2; ++end)
+          {
+            const unsigned int node = fibers[f].first_node + i;
+            const unsigned int shift =
+              first_of_parabola(f, i + end) - first_of_interval(f, i);
+            std::copy_n(parabola_slopes[node + end].begin(),
+                        3,
+                        interval_slopes[node][end].begin() + shift);
+          }
     }
 
 
@@ -229,17 +249,13 @@ namespace Heddle
     {
       if (blocks_per_node == 2)
         return hermite;
-      const unsigned int    first  = first_of_interval(f, i);
-      std::array<double, 4> values = {};
-      values[i - first] += hermite[0];
-      values[i + 1 - first] += hermite[2];
-      for (unsigned int end = 0; end < 2; ++end)
-        {
-          const auto &slopes = parabola_slopes[fibers[f].first_node + i + end];
-          double     *below  = &values[first_of_parabola(f, i + end) - first];
-          for (unsigned int k = 0; k < 3; ++k)
-            below[k] += hermite[1 + 2 * end] * slopes[k];
-        }
+      const IntervalSlopes &slopes = interval_slopes[fibers[f].first_node + i];
+      const unsigned int    begin  = i - first_of_interval(f, i);
+      std::array<double, 4> values;
+      for (unsigned int k = 0; k < 4; ++k)
+        values[k] = (k == begin ? hermite[0] : 0.) +
+                    (k == begin + 1 ? hermite[2] : 0.) +
+                    hermite[1] * slopes[0][k] + hermite[3] * slopes[1][k];
       return values;
     }
 

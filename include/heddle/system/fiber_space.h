@@ -301,6 +301,10 @@ namespace Heddle
       tangent_weights(const unsigned int f, const unsigned int node) const;
 
     private:
+      /** Set the interval_slopes of a fiber that is added. */
+      void
+      add_interval_slopes(const unsigned int f);
+
       /** First of the three nodes whose parabola gives the slope of a node. */
       unsigned int
       first_of_parabola(const unsigned int f, const unsigned int node) const
@@ -346,7 +350,11 @@ namespace Heddle
 
       /** Weights of the nodes of a parabola in the slope of each node. */
       std::vector<std::array<double, 3>> parabola_slopes;
-      std::vector<unsigned int>          rank_begin;
+
+      /** The same of the four nodes below each interval, for both its ends. */
+      using IntervalSlopes = std::array<std::array<double, 4>, 2>;
+      std::vector<IntervalSlopes> interval_slopes;
+      std::vector<unsigned int>   rank_begin;
     };
   } // namespace System
 } // namespace Heddle
