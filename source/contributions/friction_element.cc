@@ -3,6 +3,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <cmath>
+
 namespace Heddle
 {
   namespace Contributions
@@ -129,9 +131,10 @@ namespace Heddle
     FrictionElement::motion(const System::State &state) const
     {
       Motion result;
-      result.now         = pair(state.current());
-      const auto &t      = result.now.tangent;
-      result.cosine      = t[0] * t[1] / (t[0].norm() * t[1].norm());
+      result.now    = pair(state.current());
+      const auto &t = result.now.tangent;
+      result.cosine =
+        t[0] * t[1] / std::sqrt(t[0].norm_square() * t[1].norm_square());
       result.frame       = result.now.frame(orientation);
       const Pair   then  = pair(state.accepted());
       Tensor<2, 3> frame = then.frame(orientation);

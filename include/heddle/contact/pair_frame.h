@@ -3,6 +3,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <cmath>
+
 namespace Heddle
 {
   namespace Contact
@@ -36,15 +38,17 @@ namespace Heddle
                const int           orientation,
                const Tensor<1, 3> &connection)
     {
-      const Tensor<1, 3> a       = tangent_a / tangent_a.norm();
-      const Tensor<1, 3> b       = orientation * tangent_b / tangent_b.norm();
-      const Tensor<1, 3> n       = connection / connection.norm();
-      const Tensor<1, 3> crossed = cross_product_3d(a, b);
+      // Of the tangents a and b only the first row needs to know the lengths:
+      // in the other ones both terms have the same factors.
+      const double aa = tangent_a * tangent_a, bb = tangent_b * tangent_b,
+                   ab            = tangent_a * tangent_b;
+      const Tensor<1, 3> crossed = cross_product_3d(tangent_a, tangent_b);
 
       Tensor<2, 3> frame;
-      frame[0] = (a + b) / (a + b).norm();
-      frame[2] = (crossed * n) * crossed +
-                 internal::pair_frame_blend * (a * b) * (a * b) * n;
+      frame[0] = tangent_a + orientation * std::sqrt(aa / bb) * tangent_b;
+      frame[0] /= frame[0].norm();
+      frame[2] = (crossed * connection) * crossed +
+                 internal::pair_frame_blend * ab * ab * connection;
       frame[2] -= (frame[2] * frame[0]) * frame[0];
       frame[2] /= frame[2].norm();
       frame[1] = cross_product_3d(frame[2], frame[0]);
