@@ -68,11 +68,11 @@ namespace Heddle
       add_parameter("Kind",
                     kind,
                     "'direct': sparse factorization by MUMPS. 'fiber blocks': "
-                    "conjugate gradients preconditioned by one banded "
-                    "factorization per fiber, a correction of how whole yarns "
-                    "move and, in a matrix, a sweep of Gauss and Seidel over "
-                    "its nodes. With friction GMRES follows where these leave "
-                    "too much. 'automatic': direct for few unknowns [-].",
+                    "conjugate gradients preconditioned by a factorization of "
+                    "each fiber, a correction of how parts of yarns move and, "
+                    "in a matrix, a sweep of Gauss and Seidel over its nodes. "
+                    "With friction GMRES follows where these leave too much. "
+                    "'automatic': direct for few unknowns [-].",
                     prm,
                     Patterns::Selection("automatic|direct|fiber blocks"));
       add_parameter("Tolerance",
