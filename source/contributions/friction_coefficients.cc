@@ -32,6 +32,14 @@ namespace Heddle
               parameters.friction_of_sets.find(sets[i] + "-" + sets[j]);
             if (given == parameters.friction_of_sets.end())
               continue;
+            const auto other =
+              parameters.friction_of_sets.find(sets[j] + "-" + sets[i]);
+            if (other != parameters.friction_of_sets.end() &&
+                other->second != given->second)
+              throw InputError("Contact: \"Friction of sets\" gives \"" +
+                               given->first + "\" and \"" + other->first +
+                               "\", which are the same pair, different "
+                               "coefficients; leave one of them out.");
             parallel[i][j] = parallel[j][i] = given->second;
             unknown.erase(given->first);
           }

@@ -129,7 +129,9 @@ namespace Heddle
          element.penalty,
          element.weight,
          std::acos(cosine) * 180. / numbers::PI,
-         a.yarn_id == b.yarn_id ? 1. : 0.,
+         a.yarn_id == b.yarn_id && a.yarn_id != numbers::invalid_unsigned_int
+           ? 1.
+           : 0.,
          static_cast<double>(element.fiber_a),
          static_cast<double>(element.fiber_b),
          static_cast<double>(zone_id)}};

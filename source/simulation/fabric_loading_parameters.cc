@@ -118,6 +118,11 @@ namespace Heddle
                     shortly(*number) +
                     "; the strain of the warp over that of the weft must be "
                     "positive.");
+          require(
+            is_shear() || (strain / *number > -1. && strain / *number < 10.),
+            fabric_loading + "\"Strain ratios\" names " + shortly(*number) +
+              ", which makes the strain of the weft " +
+              shortly(strain / *number) + "; it must lie between -1 and 10.");
           require(!is_shear() || (*number != 0. && std::abs(*number) < 90.),
                   fabric_loading + "\"Shear angles\" names " +
                     shortly(*number) +

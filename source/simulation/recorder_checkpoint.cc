@@ -26,6 +26,7 @@ namespace Heddle
         convert("linear_iterations", stage.linear_iterations);
         convert("contact_elements", stage.contact_elements);
         convert("active_contact_elements", stage.active_contact_elements);
+        convert("n_dofs_per_rank", stage.n_dofs_per_rank);
         convert("crossings_total", stage.crossings_total);
         convert("crossings_wrong", stage.crossings_wrong);
         convert("max_penetration_ratio", stage.max_penetration_ratio);
@@ -155,7 +156,9 @@ namespace Heddle
           stage.name              = archive.read_text(stage_entry(i, "name"));
           stage.status            = archive.read_text(stage_entry(i, "status"));
           for_each_number(stage, [&](const std::string &name, double &value) {
-            value = archive.read_number(stage_entry(i, name));
+            // Older checkpoints do not have all of them.
+            if (archive.has(stage_entry(i, name)))
+              value = archive.read_number(stage_entry(i, name));
           });
         }
     }

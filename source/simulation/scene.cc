@@ -205,7 +205,10 @@ namespace Heddle
             }
         }
       stage.objection = [this]() -> std::string {
-        const auto crossings = FabricReport(*fabric, state()).crossings();
+        // One rank knows all fibers, and all have to know what it says.
+        const auto crossings =
+          Utilities::MPI::broadcast(fiber_space->communicator(),
+                                    FabricReport(*fabric, state()).crossings());
         if (crossings.wrong == 0)
           return "";
         return std::to_string(crossings.wrong) + " of " +
@@ -389,10 +392,10 @@ namespace Heddle
         165e6 * Utilities::MPI::n_mpi_processes(fiber_space->communicator());
 
       // Measured with 30 000 to 270 000 unknowns, and met to a fifth with
-      // conjugate gradients, see doc/benchmarks.md: elements, matrix, bands and
-      // vectors by unknowns; cells and what couples fibers by watched cells, of
-      // which there are about 16 for a node of a packed yarn. A sparse
-      // factorization takes far more.
+      // conjugate gradients, see doc/benchmarks.md: elements, matrix, factors
+      // and vectors by unknowns; cells and what couples fibers by watched
+      // cells, of which there are about 16 for a node of a packed yarn. A
+      // sparse factorization takes far more.
       const double n_dofs = fiber_space->n_dofs();
       const double fibers =
         will_be_factorized(n_matrix_nodes)
@@ -414,10 +417,10 @@ namespace Heddle
     double
     Scene::estimated_seconds(const double n_matrix_nodes) const
     {
-      // Measured with 6 000 to 270 000 unknowns on one rank, and met to a
-      // third.
+      // Measured with 6 000 to 380 000 unknowns on one rank, and met to a
+      // quarter.
       const double n_dofs = fiber_space->n_dofs() + 3. * n_matrix_nodes;
-      return (will_be_factorized(n_matrix_nodes) ? 16e-6 : 4.5e-6) * n_dofs /
+      return (will_be_factorized(n_matrix_nodes) ? 16e-6 : 4e-6) * n_dofs /
              Utilities::MPI::n_mpi_processes(fiber_space->communicator());
     }
   } // namespace Simulation

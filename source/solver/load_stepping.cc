@@ -31,19 +31,19 @@ namespace Heddle
                     "Inactive without loads and supports, like all of this "
                     "section [-].",
                     prm,
-                    Patterns::Double(1e-10, 1.));
+                    Patterns::Double(1e-9, 1.));
       add_parameter("Largest step",
                     entries.largest_step,
                     "No step is longer, however easy the last one was [-].",
                     prm,
-                    Patterns::Double(1e-10, 1.));
+                    Patterns::Double(1e-9, 1.));
       add_parameter("Smallest step",
                     entries.smallest_step,
                     "Steps are halved while no equilibrium is found, and the "
                     "run is given up when they would get shorter than this "
                     "[-].",
                     prm,
-                    Patterns::Double(1e-10, 1.));
+                    Patterns::Double(1e-9, 1.));
       add_parameter("Easy iterations",
                     entries.easy_iterations,
                     "After a step of at most this many Newton iterations the "
