@@ -435,18 +435,18 @@ namespace Heddle
       for (Zone &zone : all_zones)
         zone.penetration = 0.;
 
-      std::vector<unsigned int> near;
+      std::vector<unsigned int> near_cells;
       for (unsigned int c = 0; c < all_cells.size(); ++c)
         {
           const ContactCell &cell = all_cells[c];
           if (cell.clearance <= skin * all_zones[cell.zone].radius +
                                   moved[cell.fiber_a] + moved[cell.fiber_b])
-            near.push_back(c);
+            near_cells.push_back(c);
         }
-      const std::vector<CellEnd> ends = ends_of(curves, near);
-      for (unsigned int k = 0; k < near.size(); ++k)
+      const std::vector<CellEnd> ends = ends_of(curves, near_cells);
+      for (unsigned int k = 0; k < near_cells.size(); ++k)
         {
-          const unsigned int c    = near[k];
+          const unsigned int c    = near_cells[k];
           const ContactCell &cell = all_cells[c];
           Zone              &zone = all_zones[cell.zone];
 
@@ -454,7 +454,7 @@ namespace Heddle
           // face each other in several places.
           const IntermediateGeometry between = geometry(curves, cell);
           const auto                 p       = range(cell, between);
-          const bool continues               = k > 0 && near[k - 1] == c - 1 &&
+          const bool continues = k > 0 && near_cells[k - 1] == c - 1 &&
                                  all_cells[c - 1].zone == cell.zone &&
                                  all_cells[c - 1].number + 1 == cell.number &&
                                  std::abs(ends[k - 1].q - cell.q_begin) <
@@ -473,9 +473,9 @@ namespace Heddle
                           elements);
           zone.penetration    = std::max(zone.penetration, penetration);
           const NormalLaw law = this->law(cell.zone, threshold, skin);
-          for (auto k = first; k < elements.size(); ++k)
+          for (auto e = first; e < elements.size(); ++e)
             {
-              ContactElement &element = elements[k];
+              ContactElement &element = elements[e];
               element.fiber_a         = cell.fiber_a;
               element.fiber_b         = cell.fiber_b;
               element.zone            = cell.zone;

@@ -24,7 +24,7 @@ namespace Heddle
                     "Surfaces closer than this are watched for contact, as a "
                     "multiple of the largest radius. A larger one means fewer "
                     "searches and more to watch; no step moves a fiber by more "
-                    "than a third of it [-].",
+                    "than 0.35 of it [-].",
                     prm,
                     Patterns::Double(0.1, 4.));
       add_parameter("Refinement",

@@ -3,7 +3,6 @@
 #include <heddle/contact/intermediate_geometry.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Heddle
 {

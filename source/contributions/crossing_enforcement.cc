@@ -25,14 +25,6 @@ namespace Heddle
       /** What overlaps less than this is apart, however far it is [mm]. */
       constexpr double apart = -std::numeric_limits<double>::max();
 
-
-
-      bool
-      equal(const Contact::CandidatePair &left,
-            const Contact::CandidatePair &right)
-      {
-        return !(left < right) && !(right < left);
-      }
     } // namespace
 
 
@@ -210,9 +202,7 @@ namespace Heddle
       std::vector<Contact::CandidatePair> result;
       for (const Element &element : elements)
         result.push_back(element.intervals);
-      std::sort(result.begin(), result.end());
-      result.erase(std::unique(result.begin(), result.end(), equal),
-                   result.end());
+      Contact::sort_and_unify(result);
       return result;
     }
 

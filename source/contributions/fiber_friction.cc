@@ -204,7 +204,7 @@ namespace Heddle
         {
           const Tensor<2, 3> k = element.law.stiffness(u, element.normal);
           response.along       = axes[0] * (k * axes[0]);
-          response.both        = axes[0] * (k * axes[1]);
+          response.mixed       = axes[0] * (k * axes[1]);
           response.across      = axes[1] * (k * axes[1]);
         }
       return response;
@@ -230,8 +230,8 @@ namespace Heddle
       std::array<double, 3 * FrictionElement::max_blocks> f, g;
       for (unsigned int j = 0; j < n; ++j)
         {
-          f[j] = response.along * by_along[j] + response.both * by_across[j];
-          g[j] = response.both * by_along[j] + response.across * by_across[j];
+          f[j] = response.along * by_along[j] + response.mixed * by_across[j];
+          g[j] = response.mixed * by_along[j] + response.across * by_across[j];
         }
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -261,7 +261,7 @@ namespace Heddle
             for (unsigned int e = d; e < 3; ++e)
               term.stiffness[d][e] =
                 response.along * first[d] * first[e] +
-                response.both * (first[d] * second[e] + second[d] * first[e]) +
+                response.mixed * (first[d] * second[e] + second[d] * first[e]) +
                 response.across * second[d] * second[e];
           system.section_couplings().add_term(element.blocks, term);
         }

@@ -1,10 +1,7 @@
 #include <heddle/base/reduce.h>
 #include <heddle/contributions/fiber_matrix_coupling.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
-#include <cmath>
 
 namespace Heddle
 {

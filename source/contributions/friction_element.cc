@@ -1,8 +1,6 @@
 #include <heddle/contact/pair_turning.h>
 #include <heddle/contributions/friction_element.h>
 
-#include <deal.II/base/exceptions.h>
-
 #include <cmath>
 
 namespace Heddle
@@ -170,7 +168,7 @@ namespace Heddle
       offset = turned + share * motion.displacement;
       offset -= (offset * normal) * normal;
 
-      lean(motion, share);
+      set_derivatives(motion, share);
       const auto linear = components(motion.now);
       for (unsigned int k = 0; k < 2; ++k)
         offset -= linear[k] * axes[k];
@@ -179,7 +177,7 @@ namespace Heddle
 
 
     void
-    FrictionElement::lean(const Motion &motion, const double share)
+    FrictionElement::set_derivatives(const Motion &motion, const double share)
     {
       for (unsigned int k = 0; k < 2; ++k)
         by_separation[k] = share * axes[k];

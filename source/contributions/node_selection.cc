@@ -46,12 +46,12 @@ namespace Heddle
                           "'all', 'none', or a list of names of sets ('warp', "
                           "or those "
                           "of the file of centerlines) and of numbers of "
-                          "fibers, from 0, in the order of the file.");
+                          "fibers, from 0, in the order of the file [-].");
       owner.add_parameter(
         "Nodes",
         nodes,
         "Which nodes of these fibers: an end, both ends, all, or those 'near "
-        "point' in the reference configuration.",
+        "point' in the reference configuration [-].",
         ParameterAcceptor::prm,
         Patterns::Selection("first end|last end|both ends|near point|all"));
       owner.add_parameter("Point",

@@ -32,7 +32,7 @@ namespace Heddle
         section,
         "'held' keeps the section (with the element 'hermite' the direction of "
         "the axis, which may stretch), 'turned' turns it by 'Turn angle', "
-        "'free' leaves it free.",
+        "'free' leaves it free [-].",
         prm,
         Patterns::Selection("free|held|turned"));
       add_parameter("Turn angle",

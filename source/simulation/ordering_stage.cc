@@ -85,18 +85,17 @@ namespace Heddle
 
 
     OrderingResult
-    OrderingStage::run(System::State                           &state,
-                       const Solver::Contributions             &contributions,
-                       Contributions::FiberContact             &contact,
-                       Contributions::CrossingEnforcement      &enforcement,
-                       const std::function<void(unsigned int)> &after_step)
+    OrderingStage::run(System::State                      &state,
+                       const Solver::Contributions        &contributions,
+                       Contributions::FiberContact        &contact,
+                       Contributions::CrossingEnforcement &enforcement)
     {
       contact.restrict_to([&enforcement](unsigned int a, unsigned int b) {
         return !enforcement.enforces(a, b);
       });
       contact.update(state);
       const OrderingResult result =
-        lower_allowance(state, contributions, enforcement, after_step);
+        lower_allowance(state, contributions, enforcement);
 
       contact.restrict_to([](unsigned int, unsigned int) { return true; });
       state.accept();
@@ -107,10 +106,9 @@ namespace Heddle
 
     OrderingResult
     OrderingStage::lower_allowance(
-      System::State                           &state,
-      const Solver::Contributions             &contributions,
-      Contributions::CrossingEnforcement      &enforcement,
-      const std::function<void(unsigned int)> &after_step)
+      System::State                      &state,
+      const Solver::Contributions        &contributions,
+      Contributions::CrossingEnforcement &enforcement)
     {
       Solver::NewtonParameters newton_parameters(parameters.get_section_name() +
                                                  "/Newton");
@@ -140,11 +138,8 @@ namespace Heddle
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
           count(newton.solve(state, contributions), result);
-          result.most_active =
-            std::max(result.most_active, enforcement.n_active());
           overlap                = enforcement.largest_overlap(state);
           result.least_clearance = -overlap / radius;
-          after_step(result.steps);
         }
       return result;
     }

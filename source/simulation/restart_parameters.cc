@@ -12,7 +12,7 @@ namespace Heddle
                     "Folder of results, or file, from which the initial "
                     "configuration of a weave is taken instead of being "
                     "computed; ranks, friction, matrix and loads may be others "
-                    "there. Empty: compute it.");
+                    "there. Empty: compute it [-].");
       add_parameter("Stress free",
                     stress_free,
                     "Whether fibers are free of stress, and of contact forces, "

@@ -29,7 +29,7 @@ namespace Heddle
       add_parameter("Friction",
                     friction,
                     "Whether fibers rub already while they settle, or only "
-                    "when they are loaded. Inactive without friction.");
+                    "when they are loaded. Inactive without friction [-].");
       add_parameter("Penetration thresholds",
                     listed_thresholds,
                     "Thresholds of penetration over radius, descending, each "

@@ -16,13 +16,20 @@ namespace Heddle
       /** Largest change of the damping in one iteration. */
       constexpr double largest_factor = 3.;
 
-      /** Damping grows by this factor where a step had to be cut to half. */
+      /** Where a step is cut to less than this part of it, damping ... */
+      constexpr double much_cut = 0.5;
+
+      /** ... of fibers that were to move by more than this part of it ... */
+      constexpr double much_moved = 0.3;
+
+      /** ... grows by this factor, ... */
       constexpr double growth_after_cut = 2.;
 
       /** ... and by this one where steps lead uphill. */
       constexpr double growth_uphill = 10.;
 
-      /** In between a fiber moves as if it was alone, or not at all. */
+      /** With the least a fiber moves as if nothing held it, with the largest
+       * hardly at all. */
       constexpr double least = 1e-6, largest = 1e-2;
 
 
@@ -161,7 +168,7 @@ namespace Heddle
           const double ratio = motion / (wanted_motion * radius);
           double      &value = values[f - owned.first];
           value *= std::clamp(ratio, 1. / largest_factor, largest_factor);
-          if (taken < 0.5 && ratio > 0.3)
+          if (taken < much_cut && ratio > much_moved)
             value *= growth_after_cut;
           value = std::clamp(value, least, largest);
         }

@@ -298,7 +298,7 @@ namespace Heddle
             // Turn rows and columns of this block into its frame, ...
             for (unsigned int j = 0; j < size; ++j)
               {
-                Tensor<1, 3> row, column;
+                Tensor<1, 3> column;
                 for (unsigned int d = 0; d < 3; ++d)
                   column[d] = tangent[j * size + 3 * i + d];
                 column = constraint.frame * column;

@@ -264,7 +264,8 @@ namespace Heddle
     NodeRange
     FiberSpace::nodes_below(const unsigned int f, const NodeRange &nodes) const
     {
-      // See combine(): at the ends of a fiber the four nodes begin further in.
+      // See first_of_interval(): at the ends of a fiber the four nodes begin
+      // further in.
       return lengthened(f, nodes, 2);
     }
 

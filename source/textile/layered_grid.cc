@@ -3,7 +3,6 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Heddle
 {

@@ -53,7 +53,6 @@ namespace Heddle
           {
             new_number[v] = places.size();
             places.push_back(pattern.position(v));
-            numbers_of_vertices.push_back(v);
           }
       for (Cell &cell : kept_cells)
         for (unsigned int &v : cell.vertices)

@@ -13,7 +13,7 @@ namespace Heddle
       owner.add_parameter("Shape",
                           shape,
                           "What the mesh looks like: 'fabric' (a coating whose "
-                          "surfaces follow the fabric) or 'block' (a box).",
+                          "surfaces follow the fabric) or 'block' (a box) [-].",
                           prm,
                           Patterns::Selection("fabric|block"));
       for (const unsigned int d : {0, 1})
@@ -24,7 +24,7 @@ namespace Heddle
                               "Number of cells along " + axis +
                                 ", at least 1. 0: columns are 2.5 fiber "
                                 "radii or, if that is more, a quarter of the "
-                                "yarns' height wide.",
+                                "yarns' height wide [-].",
                               prm,
                               Patterns::Integer(0));
         }
@@ -32,7 +32,7 @@ namespace Heddle
                           mesh.n_cells[2],
                           "Number of cells through the thickness, at least 1. "
                           "0: they are 0.6 times as high as automatic columns "
-                          "are wide, and two or more.",
+                          "are wide, and two or more [-].",
                           prm,
                           Patterns::Integer(0));
       owner.add_parameter("Coating thickness",
@@ -60,7 +60,7 @@ namespace Heddle
       owner.add_parameter("Leave out cells inside yarns",
                           mesh.leave_out,
                           "Whether cells deep inside of yarns are left out. If "
-                          "false, matrix is between all fibers.");
+                          "false, matrix is between all fibers [-].");
       owner.add_parameter("Overlap depth",
                           mesh.overlap_depth,
                           "How far below the surface of a yarn cells may begin "

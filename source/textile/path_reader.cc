@@ -179,8 +179,8 @@ namespace Heddle
       std::ifstream input(file_name);
       if (!input)
         throw InputError(file_name + ": the file cannot be opened; check its "
-                                     "name, which counts from the folder in "
-                                     "which the program runs.");
+                                     "name in the parameter file, from whose "
+                                     "folder it counts.");
       return read_paths(input, file_name, reading);
     }
   } // namespace Textile

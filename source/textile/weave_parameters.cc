@@ -12,10 +12,11 @@ namespace Heddle
       add_weave();
       add_family("Warp yarns", warp);
       enter_subsection("Weft yarns");
-      add_parameter("Same as warp yarns",
-                    weft_is_warp,
-                    "Whether the weft yarns are like the warp yarns, in number "
-                    "too. If true, no other entry of this section is active.");
+      add_parameter(
+        "Same as warp yarns",
+        weft_is_warp,
+        "Whether the weft yarns are like the warp yarns, in number "
+        "too. If true, no other entry of this section is active [-].");
       leave_subsection();
       add_family("Weft yarns", weft);
     }
@@ -41,7 +42,7 @@ namespace Heddle
                     "Geometry from which the initial configuration is "
                     "computed: 'interpenetrating' (straight yarns in one "
                     "plane) or 'crimped' (yarns bent over and under each "
-                    "other, every fiber on its side of those it crosses).",
+                    "other, every fiber on its side of those it crosses) [-].",
                     prm,
                     Patterns::Selection("interpenetrating|crimped"));
       add_parameter("End length",
@@ -81,7 +82,7 @@ namespace Heddle
       enter_subsection(subsection);
       add_parameter("Number of yarns",
                     entries.yarns.n_yarns,
-                    "How many yarns lie side by side, at least 1.",
+                    "How many yarns lie side by side, at least 1 [-].",
                     prm,
                     Patterns::Integer(1));
       add_packing(entries);
@@ -110,12 +111,12 @@ namespace Heddle
       Packing &packing = entries.yarns.packing;
       add_parameter("Bundles",
                     packing.n_bundles,
-                    "Number of bundles in a yarn, at least 1.",
+                    "Number of bundles in a yarn, at least 1 [-].",
                     prm,
                     Patterns::Integer(1));
       add_parameter("Fibers per bundle",
                     packing.fibers_per_bundle,
-                    "Number of fibers in a bundle, at least 1.",
+                    "Number of fibers in a bundle, at least 1 [-].",
                     prm,
                     Patterns::Integer(1));
       add_parameter("Fiber radius",
@@ -128,7 +129,7 @@ namespace Heddle
                     "How the fibers lie in the section: 'rows' (bundles side "
                     "by side, each of staggered rows, 12 fibers being 4 x 3) "
                     "or 'hexagonal' (the whole yarn compact and round, its "
-                    "bundles being sectors).",
+                    "bundles being sectors) [-].",
                     prm,
                     Patterns::Selection("rows|hexagonal"));
       add_parameter("Packing spacing",
@@ -147,7 +148,7 @@ namespace Heddle
                     entries.seed,
                     "Seed of the random shifts, at least 0. The same seed "
                     "gives the same fibers on any number of ranks. Inactive if "
-                    "the packing perturbation is 0.",
+                    "the packing perturbation is 0 [-].",
                     prm,
                     Patterns::Integer(0));
     }

@@ -39,7 +39,7 @@ namespace Heddle
 
     /**
      * Set one more parameter, after those of the file. @p assignment is a text
-     * like "Contact/Friction/Coefficient=0.3".
+     * like "Contact/Friction coefficient=0.3".
      */
     void
     set(const std::string &assignment);

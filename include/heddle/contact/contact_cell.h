@@ -71,10 +71,10 @@ namespace Heddle
     /** Distance and particles at one end of a cell. */
     struct CellEnd
     {
-      double    p;
-      double    q;
-      double    squared_distance;
-      double    slope;
+      double    p;                /**< [mm] */
+      double    q;                /**< [mm] */
+      double    squared_distance; /**< of the axes [mm^2] */
+      double    slope;            /**< of that along p [mm] */
       FacingEnd end;
     };
 

@@ -18,8 +18,8 @@ namespace Heddle
      */
     struct PairTurning
     {
-      Tensor<1, 3> by_tangent[2][3];
-      Tensor<1, 3> by_connection[3];
+      Tensor<1, 3> by_tangent[2][3]; /**< [-] */
+      Tensor<1, 3> by_connection[3]; /**< [1/mm] */
     };
 
 

@@ -23,11 +23,12 @@ namespace Heddle
       /** Places at which the zone was sampled: p, q and squared distance. */
       struct Sample
       {
-        double p, q, squared_distance;
+        double p, q;             /**< [mm] */
+        double squared_distance; /**< [mm^2] */
       };
       std::vector<Sample> samples; /**< sorted by p */
 
-      /** Range of p that its intervals cover. */
+      /** Range of p that its intervals cover [mm]. */
       double begin, end;
 
       /** Mean sine of the angle of the fibers where they are close. */

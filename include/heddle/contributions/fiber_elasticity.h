@@ -61,7 +61,7 @@ namespace Heddle
       void
       set_reference(const System::State &state);
 
-      /** The reference, if it was set() after the beginning. */
+      /** The reference, if set_reference() was called. */
       void
       save(ArchiveWriter &archive, const System::State &state) const override;
 

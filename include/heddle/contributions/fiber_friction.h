@@ -136,9 +136,9 @@ namespace Heddle
        */
       struct Response
       {
-        Tensor<1, 3>          displacement;        /**< [mm] */
-        std::array<double, 2> force;               /**< [N] */
-        double                along, both, across; /**< [N/mm] */
+        Tensor<1, 3>          displacement;         /**< [mm] */
+        std::array<double, 2> force;                /**< [N] */
+        double                along, mixed, across; /**< of 2 x 2 [N/mm] */
       };
 
       Response

@@ -166,7 +166,7 @@ namespace Heddle
 
       /** Set how the displacement grows with the blocks. */
       void
-      lean(const Motion &motion, const double share);
+      set_derivatives(const Motion &motion, const double share);
 
       /** Both components of what the motion or place @p pair makes. */
       std::array<double, 2>
@@ -175,7 +175,7 @@ namespace Heddle
       /** How the blocks make up the separation of the particles [-, mm]. */
       Weights weights;
 
-      /** How those of the axes make up the tangents of both fibers. */
+      /** How those of the axes make up the tangents of both fibers [1/mm]. */
       std::array<double, n_axis_blocks> slopes;
 
       /**

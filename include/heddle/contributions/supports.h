@@ -66,9 +66,8 @@ namespace Heddle
 
       /**
        * The sum of the forces by which each support acts, that on the matrix
-       * also by itself, their
-       * moment about the origin, with that on held sections, and the work of
-       * all supports.
+       * also by itself, their moment about the origin, with that on held
+       * sections, and the work of all supports.
        */
       void
       report(const System::State           &state,

@@ -77,7 +77,7 @@ namespace Heddle
 
     /**
      * The numbers of a run for a script to read, summary.json. It is written
-     * whenever a stage ends and when the run ends, whichever way it does.
+     * after every step, and when the run ends, whichever way it does.
      */
     struct Summary
     {

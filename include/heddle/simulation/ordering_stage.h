@@ -38,9 +38,6 @@ namespace Heddle
       unsigned int factorizations    = 0;
       unsigned int linear_iterations = 0;
 
-      /** Largest number of enforced contacts that were active at once. */
-      double most_active = 0.;
-
       /**
        * Least height between fibers that cross, less that at which they touch,
        * over the radius; above -2 all of them are in order [-].
@@ -73,26 +70,21 @@ namespace Heddle
       /**
        * Order the yarns that @p enforcement knows of. @p contributions is all
        * that acts, @p contact and @p enforcement included, in this order:
-       * contact chooses the ghosts. @p after_step is called after each step,
-       * to write output for instance.
+       * contact chooses the ghosts.
        *
        * @note Collective. Throws Stopped on request.
        */
       OrderingResult
-      run(
-        System::State                           &state,
-        const Solver::Contributions             &contributions,
-        Contributions::FiberContact             &contact,
-        Contributions::CrossingEnforcement      &enforcement,
-        const std::function<void(unsigned int)> &after_step = [](unsigned int) {
-        });
+      run(System::State                      &state,
+          const Solver::Contributions        &contributions,
+          Contributions::FiberContact        &contact,
+          Contributions::CrossingEnforcement &enforcement);
 
     private:
       OrderingResult
-      lower_allowance(System::State                           &state,
-                      const Solver::Contributions             &contributions,
-                      Contributions::CrossingEnforcement      &enforcement,
-                      const std::function<void(unsigned int)> &after_step);
+      lower_allowance(System::State                      &state,
+                      const Solver::Contributions        &contributions,
+                      Contributions::CrossingEnforcement &enforcement);
 
       const OrderingParameters             &parameters;
       const Solver::LinearSolverParameters &linear_parameters;

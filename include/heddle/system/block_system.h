@@ -153,9 +153,9 @@ namespace Heddle
       }
 
       /**
-       * Add the term of @p n local blocks: its energy, @p residual (3n
-       * numbers) and @p tangent (3n x 3n by rows; not read if not wanted).
-       * Terms between ranks count with the share of their owned blocks.
+       * Add the term of @p n local blocks: @p residual (3n numbers) and
+       * @p tangent (3n x 3n by rows; not read if not wanted). Rows of foreign
+       * blocks are left to their owners.
        */
       void
       add(const unsigned int  n,

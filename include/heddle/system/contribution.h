@@ -89,7 +89,10 @@ namespace Heddle
       virtual void
       assemble(const State &state, BlockSystem &system) = 0;
 
-      /** A linear system was solved: @p increment is its whole solution. */
+      /**
+       * A step is about to be taken: @p increment is all of it, of the
+       * solution of the linear system the part that the line search chose.
+       */
       virtual void
       predict(const State &, const Increment &)
       {
@@ -178,8 +181,9 @@ namespace Heddle
       }
 
       /**
-       * Equilibrium was found and accepted: @p system has its forces, the
-       * reactions of what is held among them.
+       * Equilibrium was found, or a loaded stage begins: @p system has the
+       * forces, the reactions of what is held among them. Whether the step
+       * counts is for accept_step() to say.
        */
       virtual void
       observe(const BlockSystem &)

@@ -28,7 +28,7 @@ namespace Heddle
     struct MaterialPoint
     {
       std::array<unsigned int, 4> blocks;
-      std::array<double, 4>       values;
+      std::array<double, 4>       values; /**< [-], or [mm] of a tangent */
     };
 
     /**
@@ -71,10 +71,10 @@ namespace Heddle
       unsigned int  first_node; /**< global number of its first node */
       unsigned int  n_nodes;
       unsigned int  n_elements;
-      double        length; /**< reference length [mm] */
-      double        radius; /**< [mm] */
-      unsigned int  yarn_id;
-      unsigned int  bundle_id;
+      double        length;    /**< reference length [mm] */
+      double        radius;    /**< [mm] */
+      unsigned int  yarn_id;   /**< invalid_unsigned_int: of none */
+      unsigned int  bundle_id; /**< the same */
       std::string   set;
       Beam::Section section;
     };
@@ -296,7 +296,8 @@ namespace Heddle
         return 0.5 * (s[i] + s[i + 1]);
       }
 
-      /** Weights by which three nodal positions give the tangent of node i. */
+      /** Weights by which the positions of three nodes give the tangent of @p
+       * node [1/mm]. */
       std::array<std::pair<unsigned int, double>, 3>
       tangent_weights(const unsigned int f, const unsigned int node) const;
 

@@ -41,7 +41,7 @@ namespace Heddle
       /** Eight vertices each, in the order of deal.II. */
       std::vector<std::array<unsigned int, 8>> cells;
 
-      /** Faces of the surface; those that are not named are on no side. */
+      /** Faces of the surface, all of them: others would be on side 0. */
       std::vector<Face> faces;
 
       /** The rank that each cell goes to. */

@@ -83,13 +83,6 @@ namespace Heddle
         return places;
       }
 
-      /** Number in the grid for each vertex. */
-      const std::vector<unsigned int> &
-      vertex_numbers() const
-      {
-        return numbers_of_vertices;
-      }
-
       const std::vector<Cell> &
       cells() const
       {
@@ -145,7 +138,6 @@ namespace Heddle
 
       LayeredGrid               pattern;
       std::vector<Point<3>>     places;
-      std::vector<unsigned int> numbers_of_vertices;
       std::vector<Cell>         kept_cells;
       std::vector<BoundaryFace> faces;
 
