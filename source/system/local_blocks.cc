@@ -61,7 +61,9 @@ namespace Heddle
                       dealii::ExcMessage("The pattern lacks a block."));
           double       *block = values + 9 * k;
           const double *value = added + 3 * places[c];
-          double        sums[9];
+
+          // Summed first, for the compiler does not know that they are apart.
+          double sums[9];
           for (unsigned int j = 0; j < 3; ++j)
             for (unsigned int i = 0; i < 3; ++i)
               sums[3 * j + i] = block[3 * j + i] + value[stride * i + j];
