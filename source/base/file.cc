@@ -21,8 +21,13 @@ namespace Heddle
 
     std::ifstream in(name, std::ios::binary);
     require(in.good(), "The " + what + " \"" + name + "\" cannot be read.");
-    return {std::istreambuf_iterator<char>(in),
-            std::istreambuf_iterator<char>()};
+    std::string text{std::istreambuf_iterator<char>(in),
+                     std::istreambuf_iterator<char>()};
+
+    // Spreadsheets mark their text as UTF-8 by three bytes.
+    if (text.rfind("\xEF\xBB\xBF", 0) == 0)
+      text.erase(0, 3);
+    return text;
   }
 
 
@@ -35,8 +40,13 @@ namespace Heddle
       std::ofstream out(beside, std::ios::binary);
       out << text << std::flush;
       if (!out.good())
-        throw std::runtime_error("The file \"" + beside +
-                                 "\" cannot be written.");
+        {
+          std::error_code nobody_is_left_to_tell;
+          std::filesystem::remove(beside, nobody_is_left_to_tell);
+          throw std::runtime_error("The file \"" + beside +
+                                   "\" cannot be written: is there space on "
+                                   "the disk?");
+        }
     }
     std::filesystem::rename(beside, name);
   }

@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
 #include <heddle/io/hdf5_archive.h>
 
 #include <deal.II/base/exceptions.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
 namespace Heddle
 {
@@ -42,6 +44,36 @@ namespace Heddle
 
 
 
+        /**
+         * One rank makes a file in its memory and writes it at once: HDF5 can
+         * not give up a file that it cannot write, and crashes at the end.
+         */
+        Hdf5Handle
+        access_to_write(const MPI_Comm communicator)
+        {
+          if (by_mpi(communicator))
+            return file_access(communicator);
+          constexpr std::size_t piece = 1 << 20;
+          const hid_t           list  = H5Pcreate(H5P_FILE_ACCESS);
+          H5Pset_fapl_core(list, piece, /*backing_store=*/false);
+          return {list, H5Pclose, "prepare a file"};
+        }
+
+
+
+        /** What is in a file that is made in memory; empty if it is not. */
+        std::string
+        image(const hid_t file)
+        {
+          const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+          std::string   bytes(std::max<ssize_t>(size, 0), ' ');
+          if (size > 0 && H5Fget_file_image(file, &bytes[0], size) != size)
+            bytes.clear();
+          return bytes;
+        }
+
+
+
         Hdf5Handle
         transfer(const MPI_Comm communicator)
         {
@@ -53,10 +85,14 @@ namespace Heddle
 
 
 
-        /** HDF5 tells of its errors in pages; ours are one sentence. */
+        /**
+         * HDF5 tells of its errors in pages; ours are one sentence. What could
+         * not be written it tries again when the program ends, and crashes.
+         */
         void
         silence()
         {
+          H5dont_atexit();
           H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
         }
 
@@ -118,7 +154,17 @@ namespace Heddle
 
     Hdf5Handle::~Hdf5Handle()
     {
-      close(id);
+      close_now();
+    }
+
+
+
+    bool
+    Hdf5Handle::close_now()
+    {
+      const bool success = id < 0 || close(id) >= 0;
+      id                 = H5I_INVALID_HID;
+      return success;
     }
 
 
@@ -129,7 +175,7 @@ namespace Heddle
       , communicator(communicator)
     {
       internal::Hdf5Archive::silence();
-      const auto access = internal::Hdf5Archive::file_access(communicator);
+      const auto access = internal::Hdf5Archive::access_to_write(communicator);
       file              = std::make_unique<Hdf5Handle>(
         H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
         H5Fclose,
@@ -142,6 +188,9 @@ namespace Heddle
     {
       if (file == nullptr)
         return;
+      // Ranks close a file together: who failed alone would wait for ever.
+      if (internal::Hdf5Archive::by_mpi(communicator))
+        file->abandon();
       file.reset();
       std::error_code nobody_is_left_to_tell;
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -171,7 +220,7 @@ namespace Heddle
       const Hdf5Handle space(H5Screate_simple(2, all, nullptr), H5Sclose, what);
       const Hdf5Handle memory(
         H5Screate_simple(2, mine, nullptr), H5Sclose, what);
-      const Hdf5Handle data(
+      Hdf5Handle data(
         H5Dcreate2(
           *file, name.c_str(), type, space, groups, undated, H5P_DEFAULT),
         H5Dclose,
@@ -182,9 +231,22 @@ namespace Heddle
       helpers::select_rows(space, first_row, n_my_rows, n_columns);
       if (n_my_rows == 0)
         H5Sselect_none(memory);
-      AssertThrow(
-        H5Dwrite(data, type, memory, space, transfer, values) >= 0,
-        ExcMessage("HDF5 cannot " + what + ": is there space on the disk?"));
+      const bool written =
+        H5Dwrite(data, type, memory, space, transfer, values) >= 0;
+      const bool closed = data.close_now();
+      check_written(written && closed, what);
+    }
+
+
+
+    void
+    Hdf5Writer::check_written(const bool success, const std::string &what)
+    {
+      // No rank may wait for others here: those may be waiting in HDF5 for one
+      // that has failed there.
+      if (!success)
+        throw std::runtime_error("HDF5 cannot " + what +
+                                 ": is there space on the disk?");
     }
 
 
@@ -269,6 +331,18 @@ namespace Heddle
     void
     Hdf5Writer::commit()
     {
+      namespace helpers  = internal::Hdf5Archive;
+      const bool flushed = H5Fflush(*file, H5F_SCOPE_GLOBAL) >= 0;
+      if (!helpers::by_mpi(communicator))
+        {
+          const std::string bytes = helpers::image(*file);
+          check_written(flushed && !bytes.empty(), "write " + path);
+          file.reset();
+          write_file(path, bytes);
+          return;
+        }
+      const bool closed = file->close_now();
+      check_written(flushed && closed, "write " + beside);
       file.reset();
       MPI_Barrier(communicator);
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -294,11 +368,11 @@ namespace Heddle
               "The checkpoint \"" + path +
                 "\" does not exist or is no complete HDF5 file.");
 
-      const auto access = internal::Hdf5Archive::file_access(communicator);
-      file              = std::make_unique<Hdf5Handle>(
-        H5Fopen(path.c_str(), H5F_ACC_RDONLY, access),
-        H5Fclose,
-        "open the file \"" + path + "\"");
+      const auto  access = internal::Hdf5Archive::file_access(communicator);
+      const hid_t id     = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+      require(id >= 0,
+              "The checkpoint \"" + path + "\" is damaged or cut off.");
+      file = std::make_unique<Hdf5Handle>(id, H5Fclose, "open a file");
     }
 
 
@@ -373,9 +447,9 @@ namespace Heddle
       helpers::select_rows(space, first_row, n_rows, n_columns);
       if (n_rows == 0)
         H5Sselect_none(memory);
-      AssertThrow(
-        H5Dread(data, type, memory, space, transfer, values) >= 0,
-        ExcMessage("HDF5 cannot " + what + ": the file may be damaged."));
+      require(H5Dread(data, type, memory, space, transfer, values) >= 0,
+              "The checkpoint \"" + path + "\" is damaged: \"" + name +
+                "\" cannot be read.");
     }
 
 

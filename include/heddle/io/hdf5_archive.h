@@ -28,13 +28,27 @@ namespace Heddle
       operator=(const Hdf5Handle &) = delete;
       ~Hdf5Handle();
 
+      /**
+       * Close it before it goes out of scope, and return whether that went
+       * well: what HDF5 has kept back is written only now.
+       */
+      bool
+      close_now();
+
+      /** Leave it open for good. */
+      void
+      abandon()
+      {
+        id = H5I_INVALID_HID;
+      }
+
       operator hid_t() const
       {
         return id;
       }
 
     private:
-      const hid_t id;
+      hid_t       id;
       const Close close;
     };
 
@@ -68,11 +82,18 @@ namespace Heddle
       void
       write_text(const std::string &name, const std::string &text) override;
 
-      /** Close the file and give it its name. @note Collective. */
+      /**
+       * Close the file and give it its name, if all of it could be written.
+       * @note Collective.
+       */
       void
       commit();
 
     private:
+      /** Throw unless @p success. Local. */
+      static void
+      check_written(const bool success, const std::string &what);
+
       /** Write this rank's rows of a new table of numbers of any type. */
       void
       write_rows(const std::string  &name,
