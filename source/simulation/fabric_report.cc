@@ -100,29 +100,32 @@ namespace Heddle
     std::map<std::string, double>
     FabricReport::results(const unsigned int n_stations) const
     {
-      std::map<std::string, double> sums;
+      std::map<std::string, double>                          result;
+      std::map<std::string, std::pair<double, unsigned int>> sums;
+      const auto add = [&sums](const std::string &name, const double value) {
+        sums[name].first += value;
+        ++sums[name].second;
+      };
       for (const Yarn &yarn : yarns)
         {
-          const double n_alike =
-            std::count_if(yarns.begin(), yarns.end(), [&](const Yarn &other) {
-              return other.set == yarn.set;
-            });
           const auto mean = mean_line(yarn.lines, n_mean_points);
-          sums[yarn.set + "_crimp[-]"] += crimp(mean) / n_alike;
+          add(yarn.set + "_crimp[-]", crimp(mean));
           for (unsigned int i = 0; i < n_stations; ++i)
             {
+              // Near the ends of a yarn some of its fibers may be missing.
               const auto section = Post::cut_yarn(
                 yarn.lines, yarn.radii, plane_at(mean, station(i, n_stations)));
-              const double part = 1. / (n_alike * n_stations);
-              sums[yarn.set + "_aspect_ratio[-]"] +=
-                part * section.aspect_ratio();
-              sums[yarn.set + "_volume_fraction[-]"] +=
-                part * section.volume_fraction();
+              if (section.n_missing > 0)
+                continue;
+              add(yarn.set + "_aspect_ratio[-]", section.aspect_ratio());
+              add(yarn.set + "_volume_fraction[-]", section.volume_fraction());
             }
         }
+      for (const auto &sum : sums)
+        result[sum.first] = sum.second.first / sum.second.second;
       if (!yarns.empty())
-        sums["thickness[mm]"] = thickness();
-      return sums;
+        result["thickness[mm]"] = thickness();
+      return result;
     }
 
 
