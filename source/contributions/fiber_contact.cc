@@ -58,6 +58,14 @@ namespace Heddle
       /** ... or that loses more than this part of the contacts. */
       constexpr double largest_loss = 0.9;
 
+      /**
+       * Fibers that sink deeper into each other than this, in radii, are on
+       * their way through each other: at 2 their axes meet. Penalties grow at
+       * once then, and not when the iteration is calm, as long as they sink
+       * deeper by this factor. Where a solution begins they may be as deep.
+       */
+      constexpr double deepest_without_help = 1., deeper = 1.02;
+
 
 
       double
@@ -133,7 +141,8 @@ namespace Heddle
     void
     FiberContact::begin_step(System::State &)
     {
-      searched = false;
+      searched       = false;
+      deepest_before = std::numeric_limits<double>::max();
       pattern_pairs.clear();
     }
 
@@ -157,6 +166,22 @@ namespace Heddle
         search(state, stale_after * distance);
       place_elements(state);
       gather_statistics();
+    }
+
+
+
+    void
+    FiberContact::begin_iteration(System::State &state)
+    {
+      if (statistics.deepest > deepest_without_help &&
+          statistics.deepest > deeper * deepest_before)
+        {
+          cells.adapt(deepest_guess);
+          placed = false;
+          place_elements(state);
+          gather_statistics();
+        }
+      deepest_before = statistics.deepest;
     }
 
 

@@ -38,7 +38,9 @@ namespace Heddle
       add_parameter("Checkpoint interval",
                     checkpoint_interval,
                     "Save the state, for --resume, every so many load steps, "
-                    "and after the last step of each stage; 0: never [steps].",
+                    "and after the last step of each stage; 0: only where a "
+                    "run is stopped or finds no equilibrium, which saves its "
+                    "last state in any case [steps].",
                     prm,
                     Patterns::Integer(0));
       add_parameter("Checkpoints kept",

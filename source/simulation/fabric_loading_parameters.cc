@@ -32,7 +32,9 @@ namespace Heddle
                     kind,
                     "Test of a weave, whose four sides are moved: the ends of "
                     "its fibers and, if it has one, the sides of its matrix. "
-                    "Every load case begins in the initial configuration. "
+                    "Every load case begins in the initial configuration, "
+                    "with the tension under which it was computed, unless "
+                    "'Restart/Stress free' is true. "
                     "'none': supports and loads as listed, if any. No other "
                     "entry is active then [-].",
                     prm,

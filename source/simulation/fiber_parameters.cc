@@ -12,7 +12,8 @@ namespace Heddle
         element_name,
         "'hermite': slender, torsion-free, smooth, six unknowns per "
         "node. 'director': nine unknowns per node, with torsion, "
-        "shear and strains of the section [-].",
+        "shear and strains of the section; where fibers are curved "
+        "and free to turn it takes fewer iterations [-].",
         prm,
         Patterns::Selection("hermite|director"));
       add_parameter("Degree",

@@ -22,7 +22,11 @@ namespace Heddle
       add_parameter("Coupling stiffness factor",
                     stiffness_factor,
                     "Stiffness of the links between fibers and matrix per "
-                    "length of fiber, in units of the matrix' modulus [-].",
+                    "length of fiber, in units of the matrix' modulus. 1 is a "
+                    "bond as soft as the matrix, after the paper; the larger, "
+                    "the stiffer the composite, in shear above all: try 10 as "
+                    "well before a result is taken for one of the material "
+                    "[-].",
                     prm,
                     Patterns::Double(0.));
       add_parameter("Coupling points per element",

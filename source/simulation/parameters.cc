@@ -12,6 +12,7 @@ namespace Heddle
       , loads(Contributions::declare_loads(file))
     {
       file.apply();
+      newton.choose_for(/*fabric=*/run.scene == "weave");
     }
 
 

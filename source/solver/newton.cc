@@ -81,24 +81,27 @@ namespace Heddle
       : ParameterAcceptor(section)
     {
       add_parameter("Residual tolerance",
-                    residual_tolerance,
+                    given_residual,
                     "Largest unbalanced nodal force that is accepted, over the "
                     "mean contact force, which counts as no less than a "
                     "hundredth of the largest in the stage, or over the "
-                    "largest force where nothing touches [-].",
+                    "largest force where nothing touches; 0: 0.01 for a weave, "
+                    "1e-5 for centerlines [-].",
                     prm,
-                    Patterns::Double(1e-14, 1.));
+                    Patterns::Double(0., 1.));
       add_parameter("Increment tolerance",
-                    increment_tolerance,
+                    given_increment,
                     "Largest motion in the last iteration that is accepted, as "
-                    "a multiple of the smallest fiber radius [-].",
+                    "a multiple of the smallest fiber radius; 0: 0.1 for a "
+                    "weave, 1e-3 for centerlines [-].",
                     prm,
-                    Patterns::Double(1e-14, 1.));
+                    Patterns::Double(0., 1.));
       add_parameter("Maximum iterations",
-                    max_iterations,
-                    "Iterations after which a load step is given up [-].",
+                    given_iterations,
+                    "Iterations after which a load step is given up; 0: 500 "
+                    "for a weave, 60 for centerlines [-].",
                     prm,
-                    Patterns::Integer(1));
+                    Patterns::Integer(0));
       add_parameter("Damping",
                     damping,
                     "Stiffness per length that holds the nodes back in the "
@@ -108,6 +111,22 @@ namespace Heddle
                     "[-].",
                     prm,
                     Patterns::Double(0.));
+    }
+
+
+
+    void
+    NewtonParameters::choose_for(const bool fabric)
+    {
+      residual_tolerance  = given_residual > 0. ? given_residual
+                            : fabric            ? 0.01
+                                                : 1e-5;
+      increment_tolerance = given_increment > 0. ? given_increment
+                            : fabric             ? 0.1
+                                                 : 1e-3;
+      max_iterations      = given_iterations > 0 ? given_iterations
+                            : fabric             ? 500
+                                                 : 60;
     }
 
 
@@ -519,6 +538,8 @@ namespace Heddle
     {
       SectionTimer::Scope scope(timer, "detection");
       update(state, contributions);
+      for (const auto &contribution : contributions)
+        contribution->begin_iteration(state);
 
       bool stale =
         !block_system->tangent() || ghost_version != state.ghost_version();

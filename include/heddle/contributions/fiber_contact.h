@@ -53,6 +53,9 @@ namespace Heddle
       update(System::State &state) override;
 
       void
+      begin_iteration(System::State &state) override;
+
+      void
       probe(System::State &state) override;
 
       bool
@@ -264,6 +267,9 @@ namespace Heddle
       double                            accepted_active = 0.;
       std::vector<Contact::ContactElement> contact_elements;
       Statistics                           statistics;
+
+      /** Largest penetration over radius, an iteration ago [-]. */
+      double deepest_before = 0.;
 
       /** Whether elements are still as the cells say, in this configuration. */
       bool                      placed = false;

@@ -60,8 +60,17 @@ namespace Heddle
       }
 
       /**
-       * The same for a configuration that is only tried: what was searched
-       * stays, and so do the ghosts.
+       * An iteration begins in the configuration that this was brought up to:
+       * what is about to go wrong may be prevented.
+       */
+      virtual void
+      begin_iteration(State &)
+      {
+      }
+
+      /**
+       * What update() does, for a configuration that is only tried: what was
+       * searched stays, and so do the ghosts.
        */
       virtual void
       probe(State &)
