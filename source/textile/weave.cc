@@ -4,6 +4,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace Heddle
 {
@@ -30,6 +31,28 @@ namespace Heddle
       lay_out();
       if (description.start == Start::crimped)
         find_crimp();
+    }
+
+
+
+    void
+    Weave::check_size(const Direction direction) const
+    {
+      // Of a fabric, not of numbers that were typed in another unit.
+      constexpr double most     = 1e8;
+      const Packing   &packing  = family(direction).packing;
+      const double     n_fibers = double(family(direction).n_yarns) *
+                              packing.n_bundles * packing.fibers_per_bundle;
+      const double n_radii = lengths[direction] / packing.radius;
+      if (!(n_fibers * n_radii <= most))
+        {
+          std::ostringstream text;
+          text << "Weave: " << n_fibers << " fibers of " << lengths[direction]
+               << " mm and radius " << packing.radius
+               << " mm are more than this program can lay out, " << most
+               << " radii in all; are numbers and units as they were meant?";
+          throw InputError(text.str());
+        }
     }
 
 
@@ -62,6 +85,7 @@ namespace Heddle
             throw InputError("Weave: with one crossing per yarn and no end "
                              "length the yarns have no length; give a positive "
                              "end length.");
+          check_size(direction);
         }
     }
 

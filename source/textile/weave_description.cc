@@ -4,6 +4,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
+#include <cstdint>
 
 namespace Heddle
 {
@@ -42,6 +43,18 @@ namespace Heddle
     void
     check_weave(const WeaveDescription &description)
     {
+      constexpr double most_fibers = 1e7;
+      double           n_fibers    = 0.;
+      for (const YarnFamily *family : {&description.warp, &description.weft})
+        n_fibers += double(family->n_yarns) * family->packing.n_bundles *
+                    family->packing.fibers_per_bundle;
+      if (!(n_fibers <= most_fibers))
+        throw InputError(
+          "Weave: the yarns have " +
+          std::to_string(static_cast<std::uint64_t>(n_fibers)) +
+          " fibers; at most " +
+          std::to_string(static_cast<std::uint64_t>(most_fibers)) +
+          " are possible.");
       check_family(description.warp, "Weave/Warp yarns");
       check_family(description.weft, "Weave/Weft yarns");
 

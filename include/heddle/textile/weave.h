@@ -120,6 +120,10 @@ namespace Heddle
         return direction == warp ? description.warp : description.weft;
       }
 
+      /** Refuse what is larger than any fabric. */
+      void
+      check_size(const Direction direction) const;
+
       /** Fix sections, spacings and lengths. */
       void
       lay_out();
