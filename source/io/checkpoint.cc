@@ -156,6 +156,16 @@ namespace Heddle
 
 
     void
+    Checkpoint::remove_all(const std::string &directory)
+    {
+      for (const auto &file :
+           internal::Checkpoint::files(internal::Checkpoint::folder(directory)))
+        std::filesystem::remove(file);
+    }
+
+
+
+    void
     Checkpoint::check_scene(const ArchiveReader &archive,
                             const std::string   &path) const
     {

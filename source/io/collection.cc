@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -31,6 +32,24 @@ namespace Heddle
               line.substr(begin, end_mark.size()) < end_mark)
             entries.push_back(line);
         }
+    }
+
+
+
+    void
+    Collection::remove(const std::string &directory, const std::string &name)
+    {
+      namespace files = std::filesystem;
+      files::remove(directory + "/" + name + ".pvd");
+      std::vector<files::path> old;
+      const std::string        folder = directory + "/" + name;
+      if (files::is_directory(folder))
+        for (const auto &entry : files::directory_iterator(folder))
+          if (entry.path().extension() == ".vtu" &&
+              entry.path().stem().string().rfind(name + "-", 0) == 0)
+            old.push_back(entry.path());
+      for (const files::path &file : old)
+        files::remove(file);
     }
 
 

@@ -57,9 +57,11 @@ namespace Heddle
             contribution->update(scene.state());
         }
       else if (!parameters.restart.initial_configuration.empty())
-        recorder.read_initial_configuration(
-          parameters.restart.initial_configuration);
-      recorder.begin(place);
+        recorder.read_initial_configuration();
+      if (from_checkpoint)
+        recorder.continue_from(place);
+      else
+        recorder.begin(place);
       try
         {
           run_stages();
@@ -67,6 +69,7 @@ namespace Heddle
         }
       catch (const NotConverged &error)
         {
+          keep_last_step();
           recorder.finish(Status::not_converged, error.what());
           throw;
         }
@@ -82,6 +85,17 @@ namespace Heddle
           recorder.finish(Status::failed, error.what());
           throw;
         }
+    }
+
+
+
+    void
+    Computation::keep_last_step()
+    {
+      // Contact was last looked at where no equilibrium was found.
+      for (const auto &contribution : scene.stages()[place.stage].contributions)
+        contribution->update(scene.state());
+      recorder.keep(place);
     }
 
 
@@ -141,8 +155,13 @@ namespace Heddle
       Solver::LoadStepping &steps = *stepping[place.stage];
       while (!steps.finished())
         {
-          const Solver::NewtonResult result = try_step(stage);
+          Solver::NewtonResult result = try_step(stage);
           recorder.count(place.stage, result);
+          if (result.converged && stage.is_loaded)
+            {
+              result.obstacle  = stage.objection();
+              result.converged = result.obstacle.empty();
+            }
           if (result.converged)
             {
               steps.accept(result.iterations);

@@ -1,11 +1,13 @@
 #include <heddle/base/file.h>
 #include <heddle/base/version.h>
+#include <heddle/io/collection.h>
 #include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <filesystem>
 #include <limits>
 #include <sstream>
 
@@ -85,25 +87,67 @@ namespace Heddle
     Recorder::begin(const Place &place)
     {
       if (first_rank)
+        clear_folder();
+      open_outputs(0);
+      write_pictures(place, "start");
+      write_summary();
+    }
+
+
+
+    void
+    Recorder::continue_from(const Place &place)
+    {
+      open_outputs(place.number == 0 ? 0 : place.number + 1);
+      if (place.number == 0)
+        write_pictures(place, "start");
+      // What is measured at the end of a stage is in no checkpoint.
+      if (scene.weave() && place.stepping->finished())
+        measure_fabric(summary.stages[place.stage], /*last=*/true);
+      write_summary();
+    }
+
+
+
+    void
+    Recorder::clear_folder() const
+    {
+      // It may begin in an initial configuration that lies here.
+      namespace files         = std::filesystem;
+      const std::string own   = directory + "/" + initial_configuration;
+      const std::string given = configuration_file();
+      std::error_code   none_there;
+      if (given.empty() || !files::equivalent(own, given, none_there))
+        files::remove(own);
+      for (const std::string name : {"history.csv", "yarns.csv"})
+        files::remove(directory + "/" + name);
+      for (const std::string name :
+           {"fibers", "contacts", "matrix", "coupling"})
+        IO::Collection::remove(directory, name);
+      IO::Checkpoint::remove_all(directory);
+    }
+
+
+
+    void
+    Recorder::open_outputs(const unsigned int next)
+    {
+      if (first_rank)
         {
           write_file(directory + "/original.prm", file.text());
           write_file(directory + "/parameters.prm", Parameters::text());
         }
-      const unsigned int resume_at = place.number > 0 ? place.number + 1 : 0;
       if (parameters.output.interval > 0 && parameters.output.fibers)
         fibers = std::make_unique<IO::FiberOutput>(
-          scene.space(), parameters.output.subdivisions, directory, resume_at);
+          scene.space(), parameters.output.subdivisions, directory, next);
       if (parameters.output.interval > 0 && parameters.output.contacts &&
           scene.contact())
-        contacts = std::make_unique<IO::ContactOutput>(
-          scene.space(), directory, resume_at);
+        contacts =
+          std::make_unique<IO::ContactOutput>(scene.space(), directory, next);
       if (parameters.output.interval > 0 && parameters.output.matrix &&
           parameters.matrix.enabled)
         matrix = std::make_unique<IO::MatrixOutput>(
-          directory, scene.space().communicator(), resume_at);
-      if (place.number == 0)
-        write_pictures(place, "start");
-      write_summary();
+          directory, scene.space().communicator(), next);
     }
 
 
@@ -158,11 +202,30 @@ namespace Heddle
         }
       if (last)
         summary.stages[place.stage].status = "converged";
-      if (parameters.output.checkpoint_due(step, last))
-        write_checkpoint(place);
+      // Once there is a checkpoint, a run may go on from this configuration.
       if (last && scene.ends_initially(place.stage))
         write_checkpoint(place, directory + "/" + initial_configuration);
+      if (parameters.output.checkpoint_due(step, last))
+        write_checkpoint(place);
       write_summary();
+    }
+
+
+
+    void
+    Recorder::keep(const Place &place)
+    {
+      const unsigned int step = scene.state().step;
+      const bool         last = place.stepping->finished();
+      if (step == 0)
+        return;
+      if (!parameters.output.checkpoint_due(step, last))
+        write_checkpoint(place);
+      if (parameters.output.interval > 0 && !parameters.output.due(step, last))
+        {
+          write_pictures(place, scene.stages()[place.stage].name);
+          summary.stages[place.stage].last_output = place.number;
+        }
     }
 
 

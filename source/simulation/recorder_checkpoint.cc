@@ -68,12 +68,15 @@ namespace Heddle
         scene.embed_as(archive, where);
       };
       const auto load = [&](const ArchiveReader &archive) {
-        const std::string name = archive.read_text("position/stage");
-        while (place.stage < stages.size() && stages[place.stage].name != name)
-          ++place.stage;
-        require(place.stage < stages.size(),
-                where + " belongs to a stage \"" + name +
-                  "\", which this scene does not have.");
+        load_summary(archive);
+        place.stage = summary.stages.size() - 1;
+        for (unsigned int i = 0; i <= place.stage; ++i)
+          require(
+            i < stages.size() && stages[i].name == summary.stages[i].name,
+            where + " has \"" + summary.stages[i].name + "\" as stage " +
+              std::to_string(i) + ", and this scene " +
+              (i < stages.size() ? "\"" + stages[i].name + "\"" : "has none") +
+              ": resume it with the parameters of its run.");
         require(!parameters.matrix.enabled || scene.matrix() ||
                   !stages[place.stage].is_loaded,
                 where + " is of fibers that are loaded without a matrix: set "
@@ -83,7 +86,6 @@ namespace Heddle
         place.predictor.load(archive, scene.state());
         for (const auto &contribution : stages[place.stage].contributions)
           contribution->load(archive, scene.state());
-        load_summary(archive);
       };
       const auto position = checkpoint.read(path, scene.state(), load, prepare);
       history.resume(position.history);
@@ -93,22 +95,51 @@ namespace Heddle
 
 
 
-    void
-    Recorder::read_initial_configuration(const std::string &path)
+    std::string
+    Recorder::configuration_file() const
     {
-      const std::string file = std::filesystem::is_directory(path)
-                                 ? path + "/" + initial_configuration
-                                 : path;
+      const std::string &path = parameters.restart.initial_configuration;
+      return std::filesystem::is_directory(path)
+               ? path + "/" + initial_configuration
+               : path;
+    }
+
+
+
+    void
+    Recorder::read_initial_configuration()
+    {
+      const std::string file = configuration_file();
       require(std::filesystem::exists(file),
               "Restart/Initial configuration: there is no file \"" + file +
                 "\"; name the folder of a run that has computed one.");
-      checkpoint.read(
+      read_initial_configuration(file);
+      const std::string wrong = scene.wrong_crossings();
+      require(wrong.empty(),
+              "Restart/Initial configuration: in \"" + file + "\" " + wrong +
+                "; it is of another weave, or of a run that ended so.");
+    }
+
+
+
+    void
+    Recorder::read_initial_configuration(const std::string &file)
+    {
+      const auto position = checkpoint.read(
         file, scene.state(), [this](const ArchiveReader &archive) {
           for (const Stage &stage : scene.stages())
             if (stage.is_loaded)
               for (const auto &contribution : stage.contributions)
                 contribution->load_initial(archive, scene.state());
         });
+      require(
+        position.stage == "settle" && scene.state().load_factor == 1.,
+        "Restart/Initial configuration: \"" + file + "\" is of the stage \"" +
+          position.stage +
+          "\", and not the end of the stage \"settle\"; name the file \"" +
+          initial_configuration + "\" of its run.");
+      scene.state().step        = 0;
+      scene.state().load_factor = 0.;
     }
 
 
@@ -116,8 +147,9 @@ namespace Heddle
     void
     Recorder::return_to_initial_configuration()
     {
-      const std::string &given = parameters.restart.initial_configuration;
-      read_initial_configuration(given.empty() ? directory : given);
+      const std::string given = configuration_file();
+      read_initial_configuration(
+        given.empty() ? directory + "/" + initial_configuration : given);
     }
 
 

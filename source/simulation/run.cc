@@ -10,6 +10,8 @@
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
+#include <limits>
+#include <sstream>
 
 namespace Heddle
 {
@@ -45,6 +47,30 @@ namespace Heddle
 
 
 
+      /** "2.4 x 2.4 x 0.1 mm": what shows that a length is in another unit. */
+      std::string
+      extent_in_words(const Scene &scene)
+      {
+        const System::FiberSpace &space = scene.space();
+        const double              none  = std::numeric_limits<double>::max();
+        std::vector<double>       low(3, none), high(3, -none);
+        for (std::size_t b = 0; b < scene.initial().size();
+             b += space.n_blocks_per_node())
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              low[d]  = std::min(low[d], scene.initial()[b][d]);
+              high[d] = std::max(high[d], scene.initial()[b][d]);
+            }
+        Utilities::MPI::min(low, space.communicator(), low);
+        Utilities::MPI::max(high, space.communicator(), high);
+        std::ostringstream text;
+        text << std::setprecision(3) << high[0] - low[0] << " x "
+             << high[1] - low[1] << " x " << high[2] - low[2] << " mm";
+        return text.str();
+      }
+
+
+
       void
       print_sizes(Log &log, const Scene &scene, const Parameters &parameters)
       {
@@ -53,6 +79,7 @@ namespace Heddle
         // Only a weave is elsewhere when its fibers are embedded.
         require(matrix.objection.empty() || scene.weave(), matrix.objection);
         log << "Fibers         " << space.n_fibers() << '\n'
+            << "Extent         " << extent_in_words(scene) << " at the start\n"
             << "Nodes          " << space.n_nodes() << '\n'
             << "Unknowns       " << space.n_dofs() << '\n';
         if (!matrix.objection.empty())

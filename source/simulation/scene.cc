@@ -9,6 +9,7 @@
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/simulation/yarn_guides.h>
+#include <heddle/textile/check_paths.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -21,18 +22,28 @@ namespace Heddle
 {
   namespace Simulation
   {
+    namespace
+    {
+      /** Of a fiber; more are a slip of the finger. */
+      constexpr unsigned int most_elements = 1000000;
+    } // namespace
+
+
+
     Scene::Scene(const Parameters  &parameters,
                  const std::string &parameter_file,
                  const MPI_Comm     communicator)
       : parameters(parameters)
     {
       make_paths(parameter_file);
+      Textile::check_paths(paths);
       fiber_space    = make_space(paths, parameters.fiber, communicator);
       initial_blocks = place_on_paths(*fiber_space, paths);
       configuration  = std::make_unique<System::State>(*fiber_space);
       configuration->set(initial_blocks);
       configuration->accept();
 
+      check_start();
       make_contributions();
       if (fabric && parameters.restart.initial_configuration.empty())
         {
@@ -63,13 +74,36 @@ namespace Heddle
         {
           fabric =
             std::make_unique<Textile::Weave>(parameters.weave.description());
-          paths =
-            fabric->paths(parameters.fiber.elements_per_fiber * (n_nodes - 1));
+          const unsigned int n_elements = parameters.fiber.elements_per_fiber;
+          require(n_elements <= most_elements,
+                  "Fiber/Elements per fiber is " + std::to_string(n_elements) +
+                    "; at most " + std::to_string(most_elements) +
+                    " are possible.");
+          paths = fabric->paths(n_elements * (n_nodes - 1));
         }
       else
         paths = Textile::read_paths(
           relative_to(parameter_file, parameters.centerlines.file),
           parameters.centerlines.reading(n_nodes));
+    }
+
+
+
+    void
+    Scene::check_start() const
+    {
+      const auto weave = parameters.weave.description();
+      if (!fabric || weave.start != Textile::Start::crimped ||
+          weave.crimp_factor > 0.)
+        return;
+
+      // The yarns are laid out so that all fibers are on their side: elements
+      // that are too long for them follow them only so far.
+      const std::string wrong = wrong_crossings();
+      require(wrong.empty(),
+              "Fiber/Elements per fiber: at the start " + wrong + ", since " +
+                std::to_string(parameters.fiber.elements_per_fiber) +
+                " elements are too few for the bends of a fiber; give more.");
     }
 
 
@@ -184,8 +218,9 @@ namespace Heddle
           stage.contributions.push_back(fiber_contact);
           const auto contact = fiber_contact;
           stage.set_up       = [=](const double load_factor) {
+            // A run may go on with other thresholds than it began with.
             contact->set_threshold(
-              thresholds[std::lround(load_factor * n) - 1]);
+              thresholds[std::max(std::lround(load_factor * n), 1l) - 1]);
           };
 
           // Friction begins where the fibers have come to lie: it holds them
@@ -205,19 +240,31 @@ namespace Heddle
             }
         }
       stage.objection = [this]() -> std::string {
-        // One rank knows all fibers, and all have to know what it says.
-        const auto crossings =
-          Utilities::MPI::broadcast(fiber_space->communicator(),
-                                    FabricReport(*fabric, state()).crossings());
-        if (crossings.wrong == 0)
-          return "";
-        return std::to_string(crossings.wrong) + " of " +
-               std::to_string(crossings.total) +
-               " crossings of fibers are not as the pattern wants them; start "
-               "with more crimp (Weave/Crimp factor), or interpenetrating with "
-               "more ordering steps";
+        const std::string wrong = wrong_crossings();
+        return wrong.empty()
+                 ? ""
+                 : wrong + "; start with more crimp (Weave/Crimp factor), or "
+                           "interpenetrating with more ordering steps";
       };
       all_stages.push_back(stage);
+    }
+
+
+
+    std::string
+    Scene::wrong_crossings() const
+    {
+      if (!fabric)
+        return "";
+      // One rank knows all fibers, and all have to know what it says.
+      const auto crossings = Utilities::MPI::broadcast(
+        fiber_space->communicator(),
+        FabricReport(*fabric, *configuration).crossings());
+      if (crossings.wrong == 0)
+        return "";
+      return std::to_string(crossings.wrong) + " of " +
+             std::to_string(crossings.total) +
+             " crossings of fibers are not as the pattern wants them";
     }
 
 
@@ -250,6 +297,7 @@ namespace Heddle
       stage.name          = name;
       stage.plan          = parameters.load_stepping.plan();
       stage.is_loaded     = true;
+      stage.objection     = [this] { return wrong_crossings(); };
       stage.begin         = [this] { begin_loading(); };
       stage.contributions = {fiber_elasticity, supports};
       if (!parameters.loads.empty())

@@ -175,9 +175,11 @@ namespace Heddle
     void
     LoadStepping::load(const ArchiveReader &archive)
     {
-      last     = archive.read_number("load stepping/reached");
-      step     = archive.read_number("load stepping/step");
-      uncut    = archive.read_number("load stepping/uncut");
+      last = archive.read_number("load stepping/reached");
+      step =
+        std::min(archive.read_number("load stepping/step"), plan.largest_step);
+      uncut =
+        std::min(archive.read_number("load stepping/uncut"), plan.largest_step);
       n_good   = archive.read_number("load stepping/n_good");
       patience = archive.read_number("load stepping/patience");
     }

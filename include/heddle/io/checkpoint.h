@@ -61,6 +61,10 @@ namespace Heddle
       static std::string
       last(const std::string &directory);
 
+      /** Remove all of @p directory, if there are any. Local. */
+      static void
+      remove_all(const std::string &directory);
+
       /**
        * Set @p state, current and accepted, from the file @p path, let @p load
        * take what belongs to the contributions, and return where the run

@@ -28,6 +28,10 @@ namespace Heddle
                  const MPI_Comm     communicator,
                  const unsigned int resume_at = 0);
 
+      /** Remove the list and its files, if there are any. Local. */
+      static void
+      remove(const std::string &directory, const std::string &name);
+
       /** Path of file @p number, which is yet to be written. */
       std::string
       path(const unsigned int number) const;

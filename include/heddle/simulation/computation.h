@@ -33,6 +33,10 @@ namespace Heddle
       run(const bool from_checkpoint);
 
     private:
+      /** No equilibrium was found: see that the last one is kept. */
+      void
+      keep_last_step();
+
       void
       run_stages();
 

@@ -58,9 +58,16 @@ namespace Heddle
       resume(
         const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping);
 
-      /** Write what there is before the first step, or after resume(). */
+      /**
+       * Write what there is before the first step, and remove what an earlier
+       * run has left in the folder that this one might be resumed from.
+       */
       void
       begin(const Place &place);
+
+      /** Write what there is after resume(). */
+      void
+      continue_from(const Place &place);
 
       void
       begin_stage(const unsigned int stage);
@@ -82,23 +89,46 @@ namespace Heddle
       write_checkpoint(const Place &place, const std::string &path = "");
 
       /**
-       * Go to the initial configuration of @p path, a file or the folder of a
-       * run: the state, penalties of contact and, if it has any, friction.
-       * Throws InputError if it is none, or of other fibers.
+       * Go to the initial configuration that the parameters name: the state,
+       * penalties of contact and, if it has any, friction. Throws InputError
+       * if it is none, or of other fibers or another weave.
        * @note Collective.
        */
       void
-      read_initial_configuration(const std::string &path);
+      read_initial_configuration();
 
       /** Go to the one that this run has computed, or was given. */
       void
       return_to_initial_configuration();
+
+      /**
+       * No equilibrium was found after the last step that was accepted, whose
+       * state this is: save it and draw it, unless that is done.
+       * @note Collective.
+       */
+      void
+      keep(const Place &place);
 
       /** Write how it ended. */
       void
       finish(const IO::Summary::Status status, const std::string &reason);
 
     private:
+      /** The file of the given initial configuration; empty: none is given. */
+      std::string
+      configuration_file() const;
+
+      void
+      read_initial_configuration(const std::string &file);
+
+      /** Remove the checkpoints and tables of an earlier run. */
+      void
+      clear_folder() const;
+
+      /** Write the parameters, and begin to draw from picture @p next on. */
+      void
+      open_outputs(const unsigned int next);
+
       void
       measure(const Place &place, const Solver::NewtonResult &result);
 

@@ -97,6 +97,14 @@ namespace Heddle
       ends_initially(const unsigned int stage) const;
 
       /**
+       * "3 of 36 crossings of fibers are not as the pattern wants them", or
+       * nothing if all of them are, or if there is no weave.
+       * @note Collective.
+       */
+      std::string
+      wrong_crossings() const;
+
+      /**
        * What all contributions report, by name with unit. Of several of the
        * same name, those of load cases, the one of @p stage does.
        */
@@ -150,6 +158,10 @@ namespace Heddle
     private:
       void
       make_paths(const std::string &parameter_file);
+
+      /** Refuse yarns that begin on the wrong sides of each other. */
+      void
+      check_start() const;
 
       void
       make_contributions();

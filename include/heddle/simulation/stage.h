@@ -44,8 +44,10 @@ namespace Heddle
       std::function<Solver::NewtonResult(Log &, SectionTimer &, StopRequest &)>
         solve;
 
-      /** Why what was reached at load factor 1 is not the aim, or nothing;
-       * the same on all ranks. Collective. */
+      /**
+       * Why what was reached at load factor 1, in a loaded stage by any step,
+       * is not the aim, or nothing; the same on all ranks. Collective.
+       */
       std::function<std::string()> objection = [] { return std::string(); };
     };
   } // namespace Simulation
