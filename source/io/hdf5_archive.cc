@@ -24,6 +24,11 @@ namespace Heddle
 
 
 
+        /** What a file needs beside its data, at most [bytes]. */
+        constexpr std::uint64_t spare = 1 << 20;
+
+
+
         /** One rank needs no MPI to read and write files. */
         bool
         by_mpi(const MPI_Comm communicator)
@@ -210,6 +215,7 @@ namespace Heddle
     {
       namespace helpers = internal::Hdf5Archive;
 
+      check_space(n_rows * n_columns * sizeof(double));
       const std::string what     = "write \"" + name + "\" to " + beside;
       const hsize_t     all[2]   = {n_rows, n_columns};
       const hsize_t     mine[2]  = {n_my_rows, n_columns};
@@ -235,6 +241,26 @@ namespace Heddle
         H5Dwrite(data, type, memory, space, transfer, values) >= 0;
       const bool closed = data.close_now();
       check_written(written && closed, what);
+    }
+
+
+
+    void
+    Hdf5Writer::check_space(const std::uint64_t bytes) const
+    {
+      if (!internal::Hdf5Archive::by_mpi(communicator))
+        return;
+      int enough = 1;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        {
+          std::error_code unknown;
+          const auto      space = std::filesystem::space(
+            std::filesystem::absolute(beside).parent_path(), unknown);
+          enough =
+            unknown || space.available >= bytes + internal::Hdf5Archive::spare;
+        }
+      check_written(Utilities::MPI::broadcast(communicator, enough) != 0,
+                    "write " + beside);
     }
 
 
@@ -331,7 +357,8 @@ namespace Heddle
     void
     Hdf5Writer::commit()
     {
-      namespace helpers  = internal::Hdf5Archive;
+      namespace helpers = internal::Hdf5Archive;
+      check_space(0);
       const bool flushed = H5Fflush(*file, H5F_SCOPE_GLOBAL) >= 0;
       if (!helpers::by_mpi(communicator))
         {

@@ -90,6 +90,14 @@ namespace Heddle
       commit();
 
     private:
+      /**
+       * Throw, on all ranks, if the disk has no room for so many bytes: on
+       * several ranks HDF5 waits for ever when it cannot write. Of one rank it
+       * is not asked. @note Collective.
+       */
+      void
+      check_space(const std::uint64_t bytes) const;
+
       /** Throw unless @p success. Local. */
       static void
       check_written(const bool success, const std::string &what);
