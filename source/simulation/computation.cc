@@ -92,6 +92,8 @@ namespace Heddle
     void
     Computation::keep_last_step()
     {
+      if (scene.state().step == 0)
+        return;
       // Contact was last looked at where no equilibrium was found.
       for (const auto &contribution : scene.stages()[place.stage].contributions)
         contribution->update(scene.state());

@@ -217,8 +217,6 @@ namespace Heddle
     {
       const unsigned int step = scene.state().step;
       const bool         last = place.stepping->finished();
-      if (step == 0)
-        return;
       if (!parameters.output.checkpoint_due(step, last))
         write_checkpoint(place);
       if (parameters.output.interval > 0 && !parameters.output.due(step, last))

@@ -1,11 +1,13 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
 #include <heddle/textile/csv_table.h>
 #include <heddle/textile/curve.h>
 #include <heddle/textile/path_reader.h>
 
 #include <cmath>
-#include <fstream>
+#include <filesystem>
 #include <map>
+#include <sstream>
 
 namespace Heddle
 {
@@ -176,11 +178,11 @@ namespace Heddle
     std::vector<FiberPath>
     read_paths(const std::string &file_name, const PathReading &reading)
     {
-      std::ifstream input(file_name);
-      if (!input)
+      if (!std::filesystem::exists(file_name))
         throw InputError(file_name + ": the file cannot be opened; check its "
                                      "name in the parameter file, from whose "
                                      "folder it counts.");
+      std::istringstream input(read_file(file_name, "file of centerlines"));
       return read_paths(input, file_name, reading);
     }
   } // namespace Textile

@@ -35,6 +35,9 @@ main()
           << "left over: " << std::filesystem::exists("a/b/text.new")
           << std::endl;
 
+  Heddle::write_file("a/marked", "\xEF\xBB\xBFof a spreadsheet");
+  deallog << Heddle::read_file("a/marked", "text") << std::endl;
+
   answer([]() { Heddle::read_file("a/none", "list of points"); });
   answer([]() { Heddle::read_file("a", "list of points"); });
   answer([]() { Heddle::create_folder("a/b/text/c"); });

@@ -102,8 +102,9 @@ namespace Heddle
       return_to_initial_configuration();
 
       /**
-       * No equilibrium was found after the last step that was accepted, whose
-       * state this is: save it and draw it, unless that is done.
+       * No equilibrium was found after the last step of a stage that was
+       * accepted, whose state this is: save it and draw it, unless that is
+       * done.
        * @note Collective.
        */
       void
