@@ -55,13 +55,14 @@ namespace Heddle
           for (const auto &contribution :
                scene.stages()[place.stage].contributions)
             contribution->update(scene.state());
+          recorder.continue_from(place);
         }
-      else if (!parameters.restart.initial_configuration.empty())
-        recorder.read_initial_configuration();
-      if (from_checkpoint)
-        recorder.continue_from(place);
       else
-        recorder.begin(place);
+        {
+          if (!parameters.restart.initial_configuration.empty())
+            recorder.read_initial_configuration();
+          recorder.begin(place);
+        }
       try
         {
           run_stages();

@@ -7,9 +7,8 @@
 #include <heddle/solver/fiber_damping.h>
 #include <heddle/solver/line_search.h>
 #include <heddle/solver/linear_solver.h>
+#include <heddle/solver/newton_parameters.h>
 #include <heddle/solver/residual.h>
-
-#include <deal.II/base/parameter_acceptor.h>
 
 #include <memory>
 #include <string>
@@ -20,31 +19,6 @@ namespace Heddle
   namespace Solver
   {
     using namespace dealii;
-
-    class NewtonParameters : public ParameterAcceptor
-    {
-    public:
-      NewtonParameters(const std::string &section = "/Newton");
-
-      /**
-       * Set what was not given. A @p fabric is settled when what its contacts
-       * carry is balanced to a hundredth: its last fibers find their places
-       * slowly, and change little.
-       */
-      void
-      choose_for(const bool fabric);
-
-      double       residual_tolerance  = 1e-5;
-      double       increment_tolerance = 1e-3;
-      unsigned int max_iterations      = 60;
-      double       damping             = 3e-4;
-
-    private:
-      /** As given; 0: it was not. */
-      double       given_residual   = 0.;
-      double       given_increment  = 0.;
-      unsigned int given_iterations = 0;
-    };
 
     /** What Newton's method did. */
     struct NewtonResult

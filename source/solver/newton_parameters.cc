@@ -1,0 +1,59 @@
+#include <heddle/solver/newton_parameters.h>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    NewtonParameters::NewtonParameters(const std::string &section)
+      : ParameterAcceptor(section)
+    {
+      add_parameter("Residual tolerance",
+                    given_residual,
+                    "Largest unbalanced nodal force that is accepted, over the "
+                    "mean contact force, which counts as no less than a "
+                    "hundredth of the largest in the stage, or over the "
+                    "largest force where nothing touches; 0: 0.01 for a weave, "
+                    "1e-5 for centerlines [-].",
+                    prm,
+                    Patterns::Double(0., 1.));
+      add_parameter("Increment tolerance",
+                    given_increment,
+                    "Largest motion in the last iteration that is accepted, as "
+                    "a multiple of the smallest fiber radius; 0: 0.1 for a "
+                    "weave, 1e-3 for centerlines [-].",
+                    prm,
+                    Patterns::Double(0., 1.));
+      add_parameter("Maximum iterations",
+                    given_iterations,
+                    "Iterations after which a load step is given up; 0: 500 "
+                    "for a weave, 60 for centerlines [-].",
+                    prm,
+                    Patterns::Integer(0));
+      add_parameter("Damping",
+                    damping,
+                    "Stiffness per length that holds the nodes back in the "
+                    "first iteration from an unsettled state, in units of "
+                    "E A / R^2; then it adapts to how each fiber moves. With 0 "
+                    "nothing is ever held back. Inactive without contact "
+                    "[-].",
+                    prm,
+                    Patterns::Double(0.));
+    }
+
+
+
+    void
+    NewtonParameters::choose_for(const bool fabric)
+    {
+      residual_tolerance  = given_residual > 0. ? given_residual
+                            : fabric            ? 0.01
+                                                : 1e-5;
+      increment_tolerance = given_increment > 0. ? given_increment
+                            : fabric             ? 0.1
+                                                 : 1e-3;
+      max_iterations      = given_iterations > 0 ? given_iterations
+                            : fabric             ? 500
+                                                 : 60;
+    }
+  } // namespace Solver
+} // namespace Heddle
