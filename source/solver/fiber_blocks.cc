@@ -17,8 +17,24 @@ namespace Heddle
        */
       constexpr unsigned int rows_of_group = 512;
 
-      /** First shift of an unstable fiber, over its largest entry. */
+      /**
+       * First shift of an unstable fiber, over the largest stiffness of its
+       * positions ...
+       */
       constexpr double first_shift = 1e-8;
+
+      /**
+       * ... and of its section vectors or tangents, whose stiffness has another
+       * unit. Sections of bent fibers that nothing holds yet need about so
+       * much.
+       */
+      constexpr double first_section_shift = 1e-2;
+
+      /** Both shifts grow by this factor until the fiber is stable, ... */
+      constexpr double growth = 10.;
+
+      /** ... but by no more than this. */
+      constexpr double largest_growth = 1e8;
 
 
 
@@ -79,18 +95,18 @@ namespace Heddle
     FiberBlocks::factorize(Group &group)
     {
       // A compressed fiber may be unstable on its own: shift until it is not.
-      for (double shifted = 0.;;)
+      for (double grown = 0.;;)
         {
           group.blocks->factorize();
           const std::vector<unsigned int> unstable = find_unstable(group);
           if (unstable.empty())
             return;
-          AssertThrow(shifted <= 1.,
+          AssertThrow(grown <= largest_growth,
                       ExcMessage("The tangent of a fiber is not finite."));
-          const double next = std::max(10. * shifted, first_shift);
+          const double next = std::max(growth * grown, 1.);
           for (const unsigned int f : unstable)
-            shift(group, f, shifted, next);
-          shifted = next;
+            shift(group, f, grown, next);
+          grown = next;
         }
     }
 
@@ -216,20 +232,22 @@ namespace Heddle
     {
       double    *values            = group.blocks->values();
       const auto held              = state.held_blocks(fiber);
-      double     largest           = 0.;
       const auto for_each_diagonal = [&](const auto &action) {
         for (unsigned int row = held.first; row < held.second; ++row)
           for (unsigned int d = 0; d < 3; ++d)
-            action(values[size * position(group, row, 0) + 4 * d]);
+            action(kind(row), values[size * position(group, row, 0) + 4 * d]);
       };
-      for_each_diagonal([&largest](const double value) {
-        largest = std::max(largest, std::abs(value));
+      std::vector<double> largest(state.space.n_blocks_per_node(), 0.);
+      for_each_diagonal([&](const unsigned int kind, const double value) {
+        largest[kind] = std::max(largest[kind], std::abs(value));
       });
 
-      // What was added last is in the largest one, too.
-      largest /= 1. + before;
-      for_each_diagonal(
-        [&](double &value) { value += (after - before) * largest; });
+      // What was added last is in the largest ones, too.
+      for_each_diagonal([&](const unsigned int kind, double &value) {
+        const double first = kind == 0 ? first_shift : first_section_shift;
+        value +=
+          first * (after - before) / (1. + first * before) * largest[kind];
+      });
     }
 
 

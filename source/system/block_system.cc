@@ -14,6 +14,33 @@ namespace Heddle
     namespace
     {
       /**
+       * What stands in the rows of prescribed components: E A per element
+       * length of positions, times that length of other blocks, which is as
+       * stiff as fibers are, in any unit.
+       */
+      std::vector<double>
+      stiffnesses_of_held(const State &state)
+      {
+        const FiberSpace   &space = state.space;
+        std::vector<double> stiffnesses(state.n_owned_blocks(), 1.);
+        const auto          owned = space.owned_fibers();
+        for (unsigned int f = owned.first; f < owned.second; ++f)
+          {
+            const Fiber &fiber     = space.fiber(f);
+            const double length    = fiber.length / fiber.n_elements;
+            const double stiffness = fiber.section.axial / length;
+            for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+              stiffnesses[state.local_block(f) + b] =
+                b % space.n_blocks_per_node() == 0
+                  ? stiffness
+                  : stiffness * length * length;
+          }
+        return stiffnesses;
+      }
+
+
+
+      /**
        * Largest number of blocks of one term: a point of a fiber in a
        * hexahedron of degree 2, four and 27.
        */
@@ -28,6 +55,7 @@ namespace Heddle
       : state(state)
       , symmetric(symmetric)
       , couplings_apart(couplings_apart)
+      , held_stiffnesses(stiffnesses_of_held(state))
     {
       const PetscInt n_owned = 3 * state.n_owned_blocks();
       petsc(VecCreateMPI(
@@ -434,8 +462,10 @@ namespace Heddle
       any_couplings   = on_any_rank(!of_axes.empty() || !of_sections.empty());
       lift_terms();
 
-      // The right-hand side in the frames of the constraints; a prescribed
-      // component has the equation 1 * motion = pending.
+      // The right-hand side in the frames of the constraints. What a prescribed
+      // motion raises is in there, the motion itself in extract_increment():
+      // its component has the equation stiffness * motion = 0, and adds nothing
+      // to the norms by which iterative solvers stop.
       double *values;
       petsc(VecGetArray(rhs, &values));
       for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)
@@ -449,10 +479,10 @@ namespace Heddle
             double             diagonal[9] = {};
             for (unsigned int d = 0; d < 3; ++d)
               {
-                values[3 * b + d] = constraint.fixed[d]
-                                      ? constraint.pending[d]
-                                      : -in_frame[d] - lifting[b][d];
-                diagonal[4 * d]   = constraint.fixed[d] ? 1. : 0.;
+                values[3 * b + d] =
+                  constraint.fixed[d] ? 0. : -in_frame[d] - lifting[b][d];
+                diagonal[4 * d] =
+                  constraint.fixed[d] ? held_stiffnesses[b] : 0.;
               }
             const PetscInt row = global_blocks[b];
             petsc(MatSetValuesBlocked(
@@ -573,7 +603,6 @@ namespace Heddle
       for (const Constraint &constraint : constraints)
         if (constraint.block < state.n_owned_blocks())
           {
-            // An iterative solver meets prescribed motion only roughly.
             Tensor<1, 3> &motion = values[constraint.block];
             for (unsigned int d = 0; d < 3; ++d)
               if (constraint.fixed[d])

@@ -85,8 +85,8 @@ namespace Heddle
       }
 
       /**
-       * Change what is added to the diagonal of a fiber, in parts of its
-       * largest entry.
+       * Change what is added to the diagonal of a fiber from @p before to
+       * @p after times the first shifts.
        */
       void
       shift(Group             &group,

@@ -343,11 +343,14 @@ namespace Heddle
 
       std::vector<Tensor<1, 3>> forces;
       std::vector<Tensor<1, 3>> lifting; /**< tangent times pending motion */
-      std::vector<Constraint>   constraints;
-      std::vector<int>          constraint_of_block;
-      std::vector<PetscInt>     global_blocks;
-      std::vector<double>       work;
-      std::vector<PetscInt>     row_columns;
+      /** Of owned blocks, for components that are prescribed. */
+      const std::vector<double> held_stiffnesses;
+
+      std::vector<Constraint> constraints;
+      std::vector<int>        constraint_of_block;
+      std::vector<PetscInt>   global_blocks;
+      std::vector<double>     work;
+      std::vector<PetscInt>   row_columns;
 
       std::unique_ptr<LocalBlocks> own; /**< from begin() to end() */
 
