@@ -14,9 +14,10 @@ namespace Heddle
     namespace
     {
       /**
-       * What stands in the rows of prescribed components: E A per element
-       * length of positions, times that length of other blocks, which is as
-       * stiff as fibers are, in any unit.
+       * What stands in the rows of prescribed components of owned blocks: E A
+       * per element length of positions, times that length of other blocks of a
+       * fiber, which is as stiff as fibers are, in any unit. Nodes of a matrix
+       * keep 1: no correction spreads over what it holds.
        */
       std::vector<double>
       stiffnesses_of_held(const State &state)
