@@ -59,7 +59,7 @@ namespace Heddle
       /** Derivatives of the forces of an element: of block a, in b, by column.
        */
       template <int degree>
-      struct Tangent
+      struct TangentSums
       {
         static constexpr unsigned int n_blocks = 3 * (degree + 1);
 
@@ -86,7 +86,7 @@ namespace Heddle
                   const Hessian               &hessian,
                   const double                 length,
                   const double                 weight,
-                  Tangent<degree>             &tangent)
+                  TangentSums<degree>         &tangent)
       {
         for (int b = 0; b <= degree; ++b)
           for (unsigned int l = 0; l < 3; ++l)
@@ -290,7 +290,7 @@ namespace Heddle
       if (tangent == nullptr)
         return energy;
 
-      Tangent<degree> sums;
+      TangentSums<degree> sums;
       for (int q = 0; q < degree; ++q)
         {
           if (predicted_stresses != nullptr)

@@ -11,8 +11,15 @@ namespace Heddle
       /** Small beside the stiffness of the section, E A per length. */
       constexpr double relative_stiffness = 3e-4;
 
-      /** Sections that turn less in an iteration are let go [rad]. */
-      constexpr double still = 0.005;
+      /**
+       * Turns in an iteration below which sections are let go [rad]. Sooner
+       * than this, frictionless fibers spin away: the paper's plain weave then
+       * finds no equilibrium in 150 iterations. With friction moments act, and
+       * where fibers are to turn by much it takes hundreds of iterations at
+       * this pace (doc/benchmarks.md).
+       */
+      constexpr double still_without_friction = 0.005,
+                       still_with_friction    = 0.1;
 
       /** Largest factor by which the stiffness falls in an iteration. */
       constexpr double largest_fall = 3.;
@@ -20,6 +27,13 @@ namespace Heddle
       /** Enough for a tangent that is not singular. */
       constexpr double least_part = 1e-3;
     } // namespace
+
+
+
+    SectionDamping::SectionDamping(const bool with_friction)
+      : still(with_friction ? still_with_friction : still_without_friction)
+    {
+    }
 
 
 

@@ -157,7 +157,7 @@ namespace Heddle
       Stage stage;
       stage.name          = "order";
       stage.contributions = {fiber_elasticity, guides};
-      add_section_damping(stage);
+      add_section_damping(stage, /*with_friction=*/false);
       stage.contributions.push_back(fiber_contact);
       stage.contributions.push_back(enforcement);
       stage.solve = [this, enforcement, contributions = stage.contributions](
@@ -181,11 +181,11 @@ namespace Heddle
 
 
     void
-    Scene::add_section_damping(Stage &stage) const
+    Scene::add_section_damping(Stage &stage, const bool with_friction) const
     {
       if (fiber_space->n_blocks_per_node() == 3)
         stage.contributions.push_back(
-          std::make_shared<Contributions::SectionDamping>());
+          std::make_shared<Contributions::SectionDamping>(with_friction));
     }
 
 
@@ -214,10 +214,8 @@ namespace Heddle
           stage.plan.initial_step  = 1. / n;
           stage.plan.largest_step  = 1. / n;
           stage.plan.smallest_step = 1. / n;
-          add_section_damping(stage);
-          stage.contributions.push_back(fiber_contact);
-          const auto contact = fiber_contact;
-          stage.set_up       = [=](const double load_factor) {
+          const auto contact       = fiber_contact;
+          stage.set_up             = [=](const double load_factor) {
             // A run may go on with other thresholds than it began with.
             contact->set_threshold(
               thresholds[std::max(std::lround(load_factor * n), 1l) - 1]);
@@ -225,7 +223,9 @@ namespace Heddle
 
           // Friction begins where the fibers have come to lie: it holds them
           // there, and is not what remains of their way.
-          if (fiber_friction && parameters.settle.friction)
+          const bool with_friction =
+            fiber_friction && parameters.settle.friction;
+          if (with_friction)
             {
               Stage approach  = stage;
               approach.name   = "approach";
@@ -234,10 +234,15 @@ namespace Heddle
               approach.set_up = [=](const double) {
                 contact->set_threshold(thresholds.front());
               };
+              add_section_damping(approach, /*with_friction=*/false);
+              approach.contributions.push_back(fiber_contact);
               all_stages.push_back(approach);
               stage.aim = Solver::Aim::equilibrium_after_calm;
-              add_friction(stage);
             }
+          add_section_damping(stage, with_friction);
+          stage.contributions.push_back(fiber_contact);
+          if (with_friction)
+            add_friction(stage);
         }
       stage.objection = [this]() -> std::string {
         const std::string wrong = wrong_crossings();
@@ -304,7 +309,7 @@ namespace Heddle
         stage.contributions.push_back(std::make_shared<Contributions::Loads>(
           *fiber_space, initial_blocks, parameters.loads));
       if (fabric)
-        add_section_damping(stage);
+        add_section_damping(stage, fiber_friction != nullptr);
       if (fiber_contact)
         stage.contributions.push_back(fiber_contact);
       if (fabric && fiber_contact)

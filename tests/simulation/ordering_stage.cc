@@ -121,7 +121,8 @@ order(const std::string &pattern, const std::string &element)
   const auto result =
     stage.run(state,
               {elasticity,
-               std::make_shared<Contributions::SectionDamping>(),
+               std::make_shared<Contributions::SectionDamping>(
+                 /*with_friction=*/false),
                contact,
                enforcement},
               *contact,

@@ -18,11 +18,14 @@ namespace Heddle
      * an arbitrary spin, taken as the linear step that it is, would stretch the
      * sections beyond repair. Sections that hardly turn any more are let go,
      * fiber by fiber: what little resists their spin, friction of contacts with
-     * small forces for instance, would else come to bear very slowly.
+     * small forces for instance, would else come to bear very slowly. Where
+     * friction resists it they are let go sooner.
      */
     class SectionDamping : public System::Contribution
     {
     public:
+      explicit SectionDamping(const bool with_friction);
+
       std::string
       name() const override
       {
@@ -47,6 +50,9 @@ namespace Heddle
                System::BlockSystem &system) override;
 
     private:
+      /** Sections that turn less in an iteration are let go [rad]. */
+      const double still;
+
       /** What is left of the stiffness, from 1 down, by owned fiber. */
       std::vector<double> parts;
     };

@@ -174,7 +174,7 @@ namespace Heddle
 
       /** Holds the sections, where the element has any. */
       void
-      add_section_damping(Stage &stage) const;
+      add_section_damping(Stage &stage, const bool with_friction) const;
 
       /** After contact, if there is any. */
       void
