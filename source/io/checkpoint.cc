@@ -91,7 +91,7 @@ namespace Heddle
       Hdf5Writer archive(path, communicator);
       write_scene(archive);
       archive.write_text("position/stage", position.stage);
-      archive.write_text("position/parameters", position.parameters);
+      archive.write_text("position/settings", position.settings);
       archive.write_text("position/history", position.history);
       archive.write_number("position/number", position.number);
       archive.write_number("position/step", state.step);
@@ -218,12 +218,14 @@ namespace Heddle
       check_scene(archive, path);
 
       Position position;
-      position.stage      = archive.read_text("position/stage");
-      position.parameters = archive.read_text("position/parameters");
-      position.history    = archive.read_text("position/history");
-      position.number     = archive.read_number("position/number");
-      state.step          = archive.read_number("position/step");
-      state.load_factor   = archive.read_number("position/load_factor");
+      position.stage   = archive.read_text("position/stage");
+      position.history = archive.read_text("position/history");
+      position.number  = archive.read_number("position/number");
+      // Older checkpoints have the text of the parameter file instead.
+      if (archive.has("position/settings"))
+        position.settings = archive.read_text("position/settings");
+      state.step        = archive.read_number("position/step");
+      state.load_factor = archive.read_number("position/load_factor");
 
       prepare(archive);
       auto blocks = System::read_positions(archive, "fibers/blocks", state);

@@ -50,7 +50,7 @@ namespace Heddle
       using Status = IO::Summary::Status;
       if (from_checkpoint)
         {
-          place = recorder.resume(stepping);
+          place = recorder.resume(stepping, log);
           // Only a search tells whether fibers are near each other.
           for (const auto &contribution :
                scene.stages()[place.stage].contributions)

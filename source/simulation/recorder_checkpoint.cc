@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/settings.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
 
@@ -53,7 +54,8 @@ namespace Heddle
 
     Recorder::Place
     Recorder::resume(
-      const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping)
+      const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping,
+      Log                                                      &log)
     {
       Place                     place;
       const std::string         path    = IO::Checkpoint::last(directory);
@@ -88,6 +90,9 @@ namespace Heddle
           contribution->load(archive, scene.state());
       };
       const auto position = checkpoint.read(path, scene.state(), load, prepare);
+      for (const std::string &change : changed_settings(
+             position.settings, settings_text(ParameterAcceptor::prm)))
+        log << "Changed        " << change << std::endl;
       history.resume(position.history);
       place.number = position.number;
       return place;
@@ -204,7 +209,7 @@ namespace Heddle
       checkpoint.write(
         {scene.stages()[place.stage].name,
          place.number,
-         file.text(),
+         settings_text(ParameterAcceptor::prm),
          history.csv()},
         scene.state(),
         [&](ArchiveWriter &archive) { save(archive, place); },

@@ -40,9 +40,9 @@ write(const MPI_Comm communicator, const std::string &directory)
       }
 
   Checkpoint::Position position;
-  position.stage      = "settle";
-  position.number     = 12;
-  position.parameters = "set Threshold = 0.02\n";
+  position.stage    = "settle";
+  position.number   = 12;
+  position.settings = "Contact/Threshold=0.02\n";
   Checkpoint(fabric.space, directory, /*n_kept=*/2)
     .write(position, fabric.state, [&](Heddle::ArchiveWriter &archive) {
       archive.write("fiber elasticity/strains",
@@ -97,8 +97,8 @@ read(const MPI_Comm communicator, const std::string &directory)
 
   deallog << "stage " << position.stage << ", number " << position.number
           << ", step " << fabric.state.step << ", load factor "
-          << fabric.state.load_factor << ", " << position.parameters.size()
-          << " letters of parameters, records "
+          << fabric.state.load_factor << ", " << position.settings.size()
+          << " letters of settings, records "
           << Utilities::MPI::sum(n_records, communicator) << std::endl;
   return Utilities::MPI::sum(n_wrong, communicator);
 }

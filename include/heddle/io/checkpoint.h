@@ -28,7 +28,7 @@ namespace Heddle
       {
         std::string  stage;
         unsigned int number = 0; /**< of the load step, over all stages */
-        std::string  parameters; /**< text of the parameter file */
+        std::string  settings;   /**< settings_text(), none of older files */
         std::string  history;    /**< text of history.csv */
       };
 

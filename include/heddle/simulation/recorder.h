@@ -1,6 +1,7 @@
 #ifndef heddle_simulation_recorder_h
 #define heddle_simulation_recorder_h
 
+#include <heddle/base/log.h>
 #include <heddle/base/parameter_file.h>
 #include <heddle/base/timer.h>
 #include <heddle/io/checkpoint.h>
@@ -51,12 +52,12 @@ namespace Heddle
       /**
        * Return the stage and the number of the step that the last checkpoint
        * was written after; the state of the scene is set, and @p stepping of
-       * that stage.
+       * that stage. What was set otherwise in that run goes to the log.
        * @note Collective.
        */
       Place
-      resume(
-        const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping);
+      resume(const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping,
+             Log                                                      &log);
 
       /**
        * Write what there is before the first step, and remove what an earlier
