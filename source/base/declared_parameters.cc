@@ -72,8 +72,9 @@ namespace Heddle
         sections.insert(path);
         for (const auto &item : section.items())
           if (item.value().contains("pattern_description"))
-            parameters[path].push_back(
-              {item.key(), item.value()["pattern_description"]});
+            parameters[path].push_back({item.key(),
+                                        item.value()["pattern_description"],
+                                        item.value()["default_value"]});
           else if (item.value().is_object())
             visit(item.value(),
                   path.empty() ? item.key() : path + "/" + item.key());
@@ -120,6 +121,15 @@ namespace Heddle
                               const std::string              &name) const
   {
     return pattern_in_words(find(path, name)->pattern);
+  }
+
+
+
+  const std::string &
+  DeclaredParameters::usual_value(const std::vector<std::string> &path,
+                                  const std::string              &name) const
+  {
+    return find(path, name)->usual_value;
   }
 
 

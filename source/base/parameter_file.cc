@@ -171,6 +171,31 @@ namespace Heddle
 
 
 
+  std::vector<ParameterFile::Entry>
+  ParameterFile::unusual(const ParameterHandler &prm) const
+  {
+    const DeclaredParameters declared(prm);
+    std::vector<Entry>       entries;
+    for (const auto &[where, path, name, value] : statements)
+      {
+        if (name.empty())
+          continue;
+        const std::string entry =
+          path.empty() ? name : join_path(path) + "/" + name;
+        entries.erase(std::remove_if(entries.begin(),
+                                     entries.end(),
+                                     [&entry](const Entry &other) {
+                                       return other.path == entry;
+                                     }),
+                      entries.end());
+        if (value != declared.usual_value(path, name))
+          entries.push_back({entry, where});
+      }
+    return entries;
+  }
+
+
+
   const std::string &
   ParameterFile::name() const
   {

@@ -2,6 +2,7 @@
 #include <heddle/base/file.h>
 #include <heddle/base/version.h>
 #include <heddle/simulation/computation.h>
+#include <heddle/simulation/inactive_parameters.h>
 #include <heddle/simulation/run.h>
 
 #include <deal.II/base/mpi.h>
@@ -158,6 +159,8 @@ namespace Heddle
       stop.set_limit(parameters.run.wall_time_limit);
       print_banner(log, communicator);
       parameters.check(file);
+      for (const std::string &sentence : inactive_parameters(file))
+        log << "Note           " << sentence << std::endl;
       Scene scene(parameters, file.name(), communicator);
       print_sizes(log, scene, parameters);
       if (command_line.task == CommandLine::Task::validate)

@@ -40,6 +40,11 @@ namespace Heddle
     allowed(const std::vector<std::string> &path,
             const std::string              &name) const;
 
+    /** Return the value of a parameter that is not set. */
+    const std::string &
+    usual_value(const std::vector<std::string> &path,
+                const std::string              &name) const;
+
     /**
      * Return the question whether another section was meant, as in
      * `; did you mean "Contact"?`, or a full stop if none is similar.
@@ -57,6 +62,7 @@ namespace Heddle
     {
       std::string name;
       std::string pattern;
+      std::string usual_value;
     };
 
     /** Return the parameter, or nullptr if there is none of this name. */

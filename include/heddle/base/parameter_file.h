@@ -64,6 +64,20 @@ namespace Heddle
     void
     apply(ParameterHandler &prm = ParameterAcceptor::prm) const;
 
+    /** A parameter that is set, such as "Contact/Enabled", and where. */
+    struct Entry
+    {
+      std::string path, where;
+    };
+
+    /**
+     * Return the parameters that this file gives another value than the one
+     * they have by themselves in @p prm, in the order of the file, each where
+     * it was set last.
+     */
+    std::vector<Entry>
+    unusual(const ParameterHandler &prm) const;
+
     /** Return the name of the file. */
     const std::string &
     name() const;

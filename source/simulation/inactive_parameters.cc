@@ -1,0 +1,169 @@
+#include <heddle/base/declared_parameters.h>
+#include <heddle/simulation/inactive_parameters.h>
+
+#include <algorithm>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** What is not in force unless another parameter has a certain value. */
+      struct Condition
+      {
+        std::string              path; /**< a parameter, or all of a section */
+        std::string              depends_on;
+        std::vector<std::string> values;            /**< any of these, or ... */
+        bool                     but_these = false; /**< ... any other one */
+      };
+
+
+
+      /** The value in force of the parameter @p path. */
+      std::string
+      value_of(const std::string &path)
+      {
+        auto              parts = Utilities::split_string_list(path, '/');
+        const std::string name  = parts.back();
+        parts.pop_back();
+        return ParameterAcceptor::prm.get(parts, name);
+      }
+
+
+
+      /** Of the numbered sections of supports or of loads. */
+      void
+      add_numbered(const ParameterFile    &file,
+                   const std::string      &list,
+                   const std::string      &name,
+                   std::vector<Condition> &conditions)
+      {
+        for (unsigned int i = 1; i <= file.count_sections(list, name); ++i)
+          {
+            const std::string one =
+              list + "/" + name + " " + std::to_string(i) + "/";
+            for (const std::string entry : {"Point", "Distance"})
+              conditions.push_back(
+                {one + entry, one + "Nodes", {"near point"}});
+            if (name == "Support")
+              for (const std::string entry : {"Turn angle", "Turn axis"})
+                conditions.push_back(
+                  {one + entry, one + "Section", {"turned"}});
+          }
+      }
+
+
+
+      /** As the parameters' documentation says; the first that fails counts. */
+      std::vector<Condition>
+      all_conditions(const ParameterFile &file)
+      {
+        std::vector<Condition> conditions = {
+          {"Weave", "Run/Scene", {"weave"}},
+          {"Initial configuration", "Run/Scene", {"weave"}},
+          {"Centerlines", "Run/Scene", {"centerlines"}},
+          {"Weave/Crimp factor", "Weave/Start", {"crimped"}},
+          {"Weave/Crimp transition", "Weave/Start", {"crimped"}},
+          {"Weave/Weft yarns",
+           "Weave/Weft yarns/Same as warp yarns",
+           {"false"}},
+          {"Weave/Warp yarns/Packing seed",
+           "Weave/Warp yarns/Packing perturbation",
+           {"0"},
+           /*but_these=*/true},
+          {"Weave/Weft yarns/Packing seed",
+           "Weave/Weft yarns/Packing perturbation",
+           {"0"},
+           true},
+          {"Fiber/Elements per fiber", "Run/Scene", {"weave"}},
+          {"Contact", "Contact/Enabled", {"true"}},
+          {"Newton/Damping", "Contact/Enabled", {"true"}},
+          {"Initial configuration/Ordering",
+           "Weave/Start",
+           {"interpenetrating"}},
+          {"Matrix", "Matrix/Enabled", {"true"}},
+          {"Output/Matrix", "Matrix/Enabled", {"true"}},
+          {"Matrix/Overlap depth",
+           "Matrix/Leave out cells inside yarns",
+           {"true"}},
+          {"Matrix/Lower corner", "Matrix/Shape", {"block"}},
+          {"Matrix/Upper corner", "Matrix/Shape", {"block"}},
+          {"Fabric loading", "Fabric loading/Kind", {"none"}, true},
+          {"Fabric loading/Strain",
+           "Fabric loading/Kind",
+           {"biaxial tension", "uniaxial tension"}},
+          {"Fabric loading/Strain ratios",
+           "Fabric loading/Kind",
+           {"biaxial tension"}},
+          {"Fabric loading/Direction",
+           "Fabric loading/Kind",
+           {"uniaxial tension"}},
+          {"Fabric loading/Sides", "Fabric loading/Kind", {"uniaxial tension"}},
+          {"Fabric loading/Shear angles",
+           "Fabric loading/Kind",
+           {"picture frame", "simple shear"}},
+          {"Linear solver/Tolerance", "Linear solver/Kind", {"direct"}, true},
+          {"Linear solver/Maximum iterations",
+           "Linear solver/Kind",
+           {"direct"},
+           true},
+          {"Linear solver/Direct below", "Linear solver/Kind", {"automatic"}}};
+        for (const std::string entry : {"Degree",
+                                        "Shear modulus",
+                                        "Torsional stiffness",
+                                        "Shear stiffness"})
+          conditions.push_back(
+            {"Fiber/" + entry, "Fiber/Element", {"director"}});
+        if (value_of("Contact/Friction of sets").empty())
+          for (const std::string path : {"Contact/Friction of crossed fibers",
+                                         "Contact/Reversible displacement",
+                                         "Initial configuration/Friction"})
+            conditions.push_back(
+              {path, "Contact/Friction coefficient", {"0"}, true});
+        add_numbered(file, "Supports", "Support", conditions);
+        add_numbered(file, "Loads", "Load", conditions);
+        return conditions;
+      }
+    } // namespace
+
+
+
+    std::vector<std::string>
+    inactive_parameters(const ParameterFile &file)
+    {
+      std::vector<ParameterFile::Entry> entries =
+        file.unusual(ParameterAcceptor::prm);
+      std::vector<std::string> sentences;
+      for (const Condition &condition : all_conditions(file))
+        {
+          const std::string value  = value_of(condition.depends_on);
+          const bool        listed = std::find(condition.values.begin(),
+                                        condition.values.end(),
+                                        value) != condition.values.end();
+          if (listed != condition.but_these)
+            continue;
+
+          const auto idle = std::stable_partition(
+            entries.begin(), entries.end(), [&](const auto &entry) {
+              const bool within = entry.path == condition.path ||
+                                  entry.path.compare(0,
+                                                     condition.path.size() + 1,
+                                                     condition.path + "/") == 0;
+              return !within || entry.path == condition.depends_on;
+            });
+          if (idle == entries.end())
+            continue;
+          const auto more = entries.end() - idle - 1;
+          sentences.push_back(
+            idle->where +
+            (more == 0 ? " sets "
+                       : " and " + std::to_string(more) +
+                           (more == 1 ? " other" : " others") + " set ") +
+            "what has no effect, for " + condition.depends_on + " is " + value);
+          entries.erase(idle, entries.end());
+        }
+      return sentences;
+    }
+  } // namespace Simulation
+} // namespace Heddle
