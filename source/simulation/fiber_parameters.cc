@@ -38,8 +38,9 @@ namespace Heddle
         "Shear modulus",
         shear_modulus,
         "Shear modulus; 0: of an isotropic fiber, E / (2 (1 + nu)). "
-        "Carbon and aramid are far softer. Inactive for 'hermite' "
-        "[MPa].",
+        "Carbon and aramid are far softer. Where it is less than about a "
+        "fiftieth of the axial modulus fibers kink as they cross, and an "
+        "equilibrium may not be found. Inactive for 'hermite' [MPa].",
         prm,
         Patterns::Double(0.));
       add_parameter("Poisson ratio",
