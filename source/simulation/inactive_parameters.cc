@@ -1,5 +1,6 @@
-#include <heddle/base/declared_parameters.h>
 #include <heddle/simulation/inactive_parameters.h>
+
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 

@@ -13,7 +13,7 @@ namespace Heddle
     /**
      * Return what @p file sets to no effect, other than parameters are by
      * themselves, and why: one sentence for each reason, such as
-     * "scene.prm:12 and 2 more set what has no effect, for Matrix/Enabled is
+     * "scene.prm:12 and 2 others set what has no effect, for Matrix/Enabled is
      * false". The parameters have been given the values of this file.
      */
     std::vector<std::string>
