@@ -52,6 +52,7 @@ namespace Heddle
           json["active_contact_elements"] = stage.active_contact_elements;
           json["n_dofs_per_rank"]         = stage.n_dofs_per_rank;
           json["max_penetration_ratio"]   = stage.max_penetration_ratio;
+          json["max_bend_ratio"]          = stage.max_bend_ratio;
           json["crossings_total"]         = stage.crossings_total;
           json["crossings_wrong"]         = stage.crossings_wrong;
           json["residual_ratio"]          = stage.residual_ratio;

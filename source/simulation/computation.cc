@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/post/bend.h>
 #include <heddle/simulation/computation.h>
 #include <heddle/simulation/matrix.h>
 
@@ -173,18 +174,24 @@ namespace Heddle
           else
             {
               const std::string where = place_in_words();
+              const std::string kink  = kink_in_words();
+              const std::string why =
+                result.obstacle + (kink.empty() ? "" : "; " + kink);
               reject(stage);
               if (!steps.cut_back())
                 throw NotConverged("No equilibrium in " + where + " after " +
                                    std::to_string(result.iterations) +
-                                   " iterations: " + result.obstacle + ".");
-              log << "  not converged: " << result.obstacle
-                  << "; the step is halved" << std::endl;
+                                   " iterations: " + why + ".");
+              log << "  not converged: " << why << "; the step is halved"
+                  << std::endl;
             }
         }
       const std::string objection = stage.objection();
       if (!objection.empty())
         throw NotConverged("Stage " + stage.name + ": " + objection + ".");
+      const std::string kink = kink_in_words();
+      if (!kink.empty())
+        log << "Note           " << kink << std::endl;
     }
 
 
@@ -300,6 +307,21 @@ namespace Heddle
                             (1. - stage_began_at - done) / done)
              << " s to go in this stage";
       log.status(text.str());
+    }
+
+
+
+    std::string
+    Computation::kink_in_words() const
+    {
+      const Post::Bend bend = Post::sharpest_bend(scene.state());
+      if (!bend.is_a_kink())
+        return "";
+      return bend.in_words() +
+             ", where it is no beam and its contacts are not unique: thinner "
+             "fibers are bent less, and those of a larger Fiber/Shear "
+             "stiffness "
+             "or Fiber/Bending stiffness";
     }
 
 

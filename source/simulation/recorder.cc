@@ -243,6 +243,7 @@ namespace Heddle
           stage.active_contact_elements = values["active_contact_elements[-]"];
           stage.max_penetration_ratio   = values["max_penetration_ratio[-]"];
         }
+      stage.max_bend_ratio = values["max_bend_ratio[-]"];
       if (scene.weave())
         measure_fabric(stage, place.stepping->finished());
       add_to_history(place, result, values);

@@ -31,6 +31,7 @@ namespace Heddle
         convert("crossings_total", stage.crossings_total);
         convert("crossings_wrong", stage.crossings_wrong);
         convert("max_penetration_ratio", stage.max_penetration_ratio);
+        convert("max_bend_ratio", stage.max_bend_ratio);
         convert("residual_ratio", stage.residual_ratio);
         convert("last_output", stage.last_output);
         convert("time_total", stage.wall_time.total);

@@ -4,6 +4,7 @@
 #include <heddle/contributions/loads.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/contributions/supports.h>
+#include <heddle/post/bend.h>
 #include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/matrix.h>
@@ -395,6 +396,7 @@ namespace Heddle
         report_those_of(all_stages[stage]);
       for (const Stage &other : all_stages)
         report_those_of(other);
+      values["max_bend_ratio[-]"] = Post::sharpest_bend(*configuration).ratio;
       return values;
     }
 

@@ -43,6 +43,9 @@ namespace Heddle
       /** Largest penetration over fiber radius [-]. */
       double max_penetration_ratio = std::numeric_limits<double>::quiet_NaN();
 
+      /** Largest radius of a fiber over that of a bend of its axis [-]. */
+      double max_bend_ratio = std::numeric_limits<double>::quiet_NaN();
+
       /** Largest unbalanced nodal force over the mean contact force [-]. */
       double residual_ratio = std::numeric_limits<double>::quiet_NaN();
 

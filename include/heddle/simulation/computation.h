@@ -64,6 +64,10 @@ namespace Heddle
       show_status(const Stage &stage, const double load_factor);
 
       /** "stage settle, step 3 to load factor 0.5" */
+      /** What is to be said of a fiber that is bent too sharply, or nothing. */
+      std::string
+      kink_in_words() const;
+
       std::string
       place_in_words() const;
 
