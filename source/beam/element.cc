@@ -45,13 +45,17 @@ namespace Heddle
       const double area    = M_PI * radius * radius;
       const double inertia = .25 * area * radius * radius;
 
+      // Contact takes sections for circles: they are to remain some. Were they
+      // as soft as G, bending would flatten them, and the fiber would kink.
+      const double isotropic = axial_modulus / (2. * (1. + poisson_ratio));
+
       Section section;
       section.axial         = axial_modulus * area;
       section.bending       = axial_modulus * inertia;
       section.torsion       = shear_modulus * 2. * inertia;
       section.shear         = shear_modulus * area;
-      section.thickness     = shear_modulus * area;
-      section.gradient      = shear_modulus * inertia;
+      section.thickness     = isotropic * area;
+      section.gradient      = isotropic * inertia;
       section.poisson_ratio = poisson_ratio;
       return section;
     }

@@ -39,8 +39,9 @@ namespace Heddle
         shear_modulus,
         "Shear modulus; 0: of an isotropic fiber, E / (2 (1 + nu)). "
         "Carbon and aramid are far softer. Where it is less than about a "
-        "fiftieth of the axial modulus fibers kink as they cross, and an "
-        "equilibrium may not be found. Inactive for 'hermite' [MPa].",
+        "hundredth of the axial modulus few and thick fibers kink as they "
+        "cross, and an equilibrium may not be found. Inactive for 'hermite' "
+        "[MPa].",
         prm,
         Patterns::Double(0.));
       add_parameter("Poisson ratio",
@@ -72,6 +73,15 @@ namespace Heddle
                     "Inactive for 'hermite' [N].",
                     prm,
                     Patterns::Double(0.));
+      add_parameter(
+        "Section stiffness",
+        section_stiffness,
+        "S A, by which sections resist changes of their shape; 0: "
+        "that of an isotropic fiber, S = E / (2 (1 + nu)), whatever "
+        "the shear modulus. Soft sections flatten where a fiber "
+        "is bent, and it kinks. Inactive for 'hermite' [N].",
+        prm,
+        Patterns::Double(0.));
     }
 
 
@@ -101,6 +111,11 @@ namespace Heddle
         section.torsion = torsional_stiffness;
       if (shear_stiffness > 0.)
         section.shear = shear_stiffness;
+      if (section_stiffness > 0.)
+        {
+          section.gradient *= section_stiffness / section.thickness;
+          section.thickness = section_stiffness;
+        }
       return section;
     }
   } // namespace Simulation

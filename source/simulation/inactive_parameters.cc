@@ -113,7 +113,8 @@ namespace Heddle
         for (const std::string entry : {"Degree",
                                         "Shear modulus",
                                         "Torsional stiffness",
-                                        "Shear stiffness"})
+                                        "Shear stiffness",
+                                        "Section stiffness"})
           conditions.push_back(
             {"Fiber/" + entry, "Fiber/Element", {"director"}});
         if (value_of("Contact/Friction of sets").empty())

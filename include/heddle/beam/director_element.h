@@ -50,15 +50,15 @@ namespace Heddle
      *
      * <b>Energy per length.</b> Axial strain and section stretch are coupled:
      * @f[ W_{as} = \tfrac12 EA\, \epsilon^2 + \tfrac12 \lambda A (h_1 + h_2)^2
-     *              + G A (h_1^2 + h_2^2), \quad h_a = E_a + \nu \epsilon,
-     *     \quad \lambda = \frac{2 G \nu}{1 - 2 \nu}. @f]
+     *              + S A (h_1^2 + h_2^2), \quad h_a = E_a + \nu \epsilon,
+     *     \quad \lambda = \frac{2 S \nu}{1 - 2 \nu}. @f]
      * A section that is free to stretch takes $h_a = 0$, that is
      * $E_a = -\nu \epsilon$, and what is left is exactly $EA$, whatever $E$,
-     * $G$ and $\nu$. For an isotropic fiber, $E = 2 G (1 + \nu)$, this *is* the
-     * three-dimensional law $\frac A2 [\lambda (\epsilon + E_1 + E_2)^2 + 2 G
+     * $S$ and $\nu$. With $S = E / (2 (1 + \nu))$ this *is* the isotropic
+     * three-dimensional law $\frac A2 [\lambda (\epsilon + E_1 + E_2)^2 + 2 S
      * (\epsilon^2 + E_1^2 + E_2^2)]$ with its square completed. All other
-     * strains are uncoupled: shear $k_s G A$, section shear $G A$, torsion
-     * $G J$, gradients $G I, G I, 2 G I$, and bending $E I$. The last is not
+     * strains are uncoupled: shear $k_s G A$, section shear $S A$, torsion
+     * $G J$, gradients $S I, S I, 2 S I$, and bending $E I$. The last is not
      * the three-dimensional law over the section, which, the section being
      * unable to answer to bending by warping, would be too stiff by
      * $(1 - \nu) / ((1 + \nu)(1 - 2 \nu))$.

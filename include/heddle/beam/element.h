@@ -23,8 +23,8 @@ namespace Heddle
       double bending   = 0.; /**< E I [N mm^2] */
       double torsion   = 0.; /**< G J [N mm^2] */
       double shear     = 0.; /**< k_s G A [N] */
-      double thickness = 0.; /**< G A, resists the strains of the section [N] */
-      double gradient  = 0.; /**< G I, resists their gradients [N mm^2] */
+      double thickness = 0.; /**< S A, resists the strains of the section [N] */
+      double gradient  = 0.; /**< S I, resists their gradients [N mm^2] */
       double poisson_ratio = 0.; /**< couples axial and section strains [-] */
     };
 
@@ -33,7 +33,8 @@ namespace Heddle
      * axial modulus E [MPa], the shear modulus G [MPa] and Poisson's ratio.
      * Radius and moduli are positive, the ratio is from 0 to below 0.5; an
      * InputError says which is not. Sections stay plane: the shear factor
-     * $k_s$ is 1, and $J = 2 I$.
+     * $k_s$ is 1, and $J = 2 I$. They resist changes of their shape like those
+     * of an isotropic fiber, $S = E / (2 (1 + \nu))$, however soft G is.
      */
     Section
     circular_section(const double radius,

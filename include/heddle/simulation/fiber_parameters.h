@@ -37,6 +37,7 @@ namespace Heddle
       double       bending_stiffness   = 0.;
       double       torsional_stiffness = 0.;
       double       shear_stiffness     = 0.;
+      double       section_stiffness   = 0.;
     };
   } // namespace Simulation
 } // namespace Heddle
