@@ -18,10 +18,11 @@ namespace Heddle
 
     void
     BlockPreconditioner::set_up(const System::BlockSystem &system,
-                                const bool                 yarn_motions)
+                                const bool                 yarn_motions,
+                                const bool                 gentle)
     {
       const System::LocalBlocks blocks(system.tangent());
-      fibers.set_up(blocks);
+      fibers.set_up(blocks, gentle);
       corrected = yarn_motions;
       if (corrected)
         yarns.set_up(system, blocks);

@@ -30,6 +30,12 @@ namespace Heddle
        */
       constexpr double first_section_shift = 1e-2;
 
+      /**
+       * The same, gentle: fibers that are wound around each other are hardly
+       * unstable, and a motion that costs less than the shift is found late.
+       */
+      constexpr double gentle_section_shift = 1e-6;
+
       /** Both shifts grow by this factor until the fiber is stable, ... */
       constexpr double growth = 10.;
 
@@ -50,6 +56,7 @@ namespace Heddle
 
     FiberBlocks::FiberBlocks(const System::State &state)
       : state(state)
+      , section_shift(first_section_shift)
       // An element couples its own blocks; contact couples the positions of
       // four nodes in a row, or the blocks of one interval.
       , n_offsets(std::max(state.space.element().n_blocks(),
@@ -66,8 +73,9 @@ namespace Heddle
 
 
     void
-    FiberBlocks::set_up(const System::LocalBlocks &tangent)
+    FiberBlocks::set_up(const System::LocalBlocks &tangent, const bool gentle)
     {
+      section_shift = gentle ? gentle_section_shift : first_section_shift;
       if (find_couplings(tangent) || groups.empty())
         create();
       for (Group &group : groups)
@@ -244,7 +252,7 @@ namespace Heddle
 
       // What was added last is in the largest ones, too.
       for_each_diagonal([&](const unsigned int kind, double &value) {
-        const double first = kind == 0 ? first_shift : first_section_shift;
+        const double first = kind == 0 ? first_shift : section_shift;
         value +=
           first * (after - before) / (1. + first * before) * largest[kind];
       });

@@ -182,13 +182,14 @@ namespace Heddle
     {
       if (!iterating)
         begin_iterating();
-      preconditioner->set_up(system, yarn_motions);
+      preconditioner->set_up(system, yarn_motions, gentle);
       petsc(KSPSetOperators(iterating,
                             system.has_couplings_apart() ? symmetric.matrix()
                                                          : system.tangent(),
                             system.tangent()));
       const bool converged =
         run(iterating, std::min(looser * tolerance, loosest), result);
+      gentle = gentle || !converged;
       if (!system.has_unsymmetric_terms() || part_left() <= good_enough)
         return converged;
       petsc(KSPSetOperators(improving, whole.matrix(), system.tangent()));

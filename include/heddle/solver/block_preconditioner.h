@@ -26,10 +26,13 @@ namespace Heddle
 
       /**
        * Take the blocks from @p system and prepare them, with or without the
-       * correction of @p yarn_motions.
+       * correction of @p yarn_motions, with a @p gentle shift of fibers that
+       * are unstable or not.
        */
       void
-      set_up(const System::BlockSystem &system, const bool yarn_motions);
+      set_up(const System::BlockSystem &system,
+             const bool                 yarn_motions,
+             const bool                 gentle);
 
       /** Let @p pc apply this object. */
       void

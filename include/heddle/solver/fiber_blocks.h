@@ -28,9 +28,12 @@ namespace Heddle
     public:
       FiberBlocks(const System::State &state);
 
-      /** Take the blocks from a tangent and factorize them. */
+      /**
+       * Take the blocks from a tangent and factorize them. A @p gentle shift
+       * makes unstable fibers just stable.
+       */
       void
-      set_up(const System::LocalBlocks &tangent);
+      set_up(const System::LocalBlocks &tangent, const bool gentle = false);
 
       /** Solve for the right-hand side @p residual of the own fibers. */
       PetscErrorCode
@@ -99,6 +102,7 @@ namespace Heddle
       find_unstable(const Group &group) const;
 
       const System::State &state;
+      double               section_shift; /**< the first one */
       const unsigned int n_offsets; /**< blocks from the diagonal to the end */
 
       /** Whether rows of a kind couple to the block so many further. */

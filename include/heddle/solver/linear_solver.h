@@ -119,6 +119,9 @@ namespace Heddle
       KSP                                  factorizing = nullptr;
       double                               tolerance   = 0.; /**< usual [-] */
       std::unique_ptr<BlockPreconditioner> preconditioner;
+
+      /** With the usual shift of unstable fibers a system was not solved. */
+      bool gentle = false;
     };
   } // namespace Solver
 } // namespace Heddle
