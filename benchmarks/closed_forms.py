@@ -1,7 +1,5 @@
 """Scenes with known answers: meshes of each that get finer, and their errors."""
 
-import os
-
 import numpy as np
 
 import runs
@@ -94,7 +92,7 @@ def twisted_pair():
     """Force per length in the middle half of two rods of one turn (Meier, Popp
     and Wall 2016, see prm/verification/double_helix.prm): of the mesh, that of
     the helix found; of the threshold, that of rods that do not penetrate."""
-    radius, length, steps = 0.0095, 5., 16
+    radius, length = 0.0095, 5.
     height = length + 0.0496472226
     axial, bending = 309501.27, 7.8539816
 
@@ -107,16 +105,14 @@ def twisted_pair():
                           + bending * curvature * stretch * torsion**2)
 
     def pressure(run):
-        place, force, weight = points(
-            os.path.join(run.folder, f"contacts/contacts-{steps:05}.vtu"),
-            "normal_force", "weight")
+        place, force, weight = points(run.last_output("contacts"),
+                                      "normal_force", "weight")
         middle = np.abs(place[:, 2] - 0.5 * height) < 0.25 * height
         return force[middle].sum() / weight[middle].sum()
 
     def error_of_mesh(run):
-        place, fiber, arc = points(
-            os.path.join(run.folder, f"fibers/fibers-{steps:05}.vtu"),
-            "fiber_id", "arc_length")
+        place, fiber, arc = points(run.last_output("fibers"),
+                                   "fiber_id", "arc_length")
         own = fiber == fiber.min()
         low, high = (place[own][np.argmin(np.abs(arc[own] - s * length))]
                      for s in (0.25, 0.75))

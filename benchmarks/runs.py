@@ -82,6 +82,11 @@ class Run:
         numbers = np.where(table[1:] == "", "nan", table[1:]).astype(float)
         return dict(zip(table[0], numbers.T))
 
+    def last_output(self, kind):
+        """Return the last VTU file of a kind such as "fibers"."""
+        number = self.stages[-1]["last_output"]
+        return os.path.join(self.folder, kind, f"{kind}-{number:05}.vtu")
+
     def last(self):
         """Return the last row of the history by name."""
         return {name: column[-1] for name, column in self.history().items()}
