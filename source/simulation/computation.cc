@@ -320,8 +320,7 @@ namespace Heddle
       return bend.in_words() +
              ", where it is no beam and its contacts are not unique: thinner "
              "fibers are bent less, and those of a larger Fiber/Shear "
-             "stiffness "
-             "or Fiber/Bending stiffness";
+             "stiffness or Fiber/Bending stiffness";
     }
 
 
