@@ -2,6 +2,7 @@
 #include <heddle/system/block_archive.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 #include <Eigen/Geometry>
 
@@ -11,14 +12,19 @@ namespace Heddle
   {
     namespace
     {
-      /** A parabola has so many points. */
-      constexpr unsigned int most_points = 3;
+      /** A parabola has so many points, and one more tells how good it was. */
+      constexpr unsigned int most_points = 4;
+
+
 
       std::string
       entry(const unsigned int i, const std::string &name)
       {
         return "predictor/point-" + std::to_string(i) + "/" + name;
       }
+
+
+
       /** Columns: the orthonormal frame of a section, from its two vectors. */
       Eigen::Matrix3d
       frame_of(const Tensor<1, 3> *vectors)
@@ -74,13 +80,9 @@ namespace Heddle
       if (points.size() < 2)
         return {};
 
-      // Lagrange's polynomial.
-      std::vector<double> weights(points.size(), 1.);
-      for (unsigned int i = 0; i < points.size(); ++i)
-        for (unsigned int j = 0; j < points.size(); ++j)
-          if (i != j)
-            weights[i] *= (state.load_factor - points[j].load_factor) /
-                          (points[i].load_factor - points[j].load_factor);
+      const unsigned int        n = points.size();
+      const std::vector<double> weights =
+        lagrange(n, n_points_of_guess(state), state.load_factor);
       System::Increment motion(state.n_owned_blocks());
       for (unsigned int b = 0; b < motion.size(); ++b)
         {
@@ -92,6 +94,55 @@ namespace Heddle
         for (unsigned int b = 1; b < state.n_owned_fiber_blocks(); b += 3)
           rotate_section(weights, b, motion.data() + b);
       return motion;
+    }
+
+
+
+    std::vector<double>
+    Predictor::lagrange(const unsigned int end,
+                        const unsigned int n,
+                        const double       load_factor) const
+    {
+      std::vector<double> weights(points.size(), 0.);
+      for (unsigned int i = end - n; i < end; ++i)
+        {
+          weights[i] = 1.;
+          for (unsigned int j = end - n; j < end; ++j)
+            if (i != j)
+              weights[i] *= (load_factor - points[j].load_factor) /
+                            (points[i].load_factor - points[j].load_factor);
+        }
+      return weights;
+    }
+
+
+
+    double
+    Predictor::miss(const System::State &state, const unsigned int n) const
+    {
+      const unsigned int        last = points.size() - 1;
+      const std::vector<double> weights =
+        lagrange(last, n, points[last].load_factor);
+      double sum = 0.;
+      for (unsigned int b = 0; b < state.n_owned_fiber_blocks();
+           b += state.space.n_blocks_per_node())
+        {
+          Tensor<1, 3> error = points[last].blocks[b];
+          for (unsigned int i = last - n; i < last; ++i)
+            error -= weights[i] * points[i].blocks[b];
+          sum += error.norm_square();
+        }
+      return Utilities::MPI::sum(sum, state.space.communicator());
+    }
+
+
+
+    unsigned int
+    Predictor::n_points_of_guess(const System::State &state) const
+    {
+      return points.size() == most_points && miss(state, 3) < miss(state, 2)
+               ? 3
+               : 2;
     }
 
 

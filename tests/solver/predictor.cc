@@ -1,7 +1,8 @@
 // The guess of the next equilibrium: nothing from one equilibrium, the line
-// through two, the parabola through three, and of sections the rotation about
-// their axis, with the lengths that they have. What is not a parabola is missed
-// by the third order of the step.
+// through two and, once a fourth one has shown it to be the better guess, the
+// parabola through three. It is not after a jump. Sections turn about their
+// axis, with the lengths that they have. What is not a parabola is missed by
+// the third order of the step.
 #include <heddle/beam/element.h>
 #include <heddle/solver/predictor.h>
 #include <heddle/system/state.h>
@@ -13,15 +14,19 @@
 using Heddle::System::FiberSpace;
 using Heddle::System::State;
 
+/** Where paths jump that do. */
+constexpr double jump_at = 0.12;
+
 /** How far the motion goes, and a section turns [rad], at load factor t. */
 struct Path
 {
-  double linear, square, cubic;
+  double linear, square, cubic, jump = 0.;
 
   double
   operator()(const double t) const
   {
-    return linear * t + square * t * t + cubic * t * t * t;
+    return linear * t + square * t * t + cubic * t * t * t +
+           (t > jump_at ? jump : 0.);
   }
 };
 
@@ -116,18 +121,27 @@ main(int argc, char **argv)
   miss(state, {1., 0., 0.}, {0.}, 0.1);
   examine("a line, two equilibria", miss(state, {1., 0., 0.}, {0., 0.1}, 0.3));
   examine("a parabola, steps that differ",
-          miss(state, {1., -2., 0.}, {0., 0.1, 0.15}, 0.3));
-  examine("the last three of four",
-          miss(state, {1., -2., 0.}, {-5., 0., 0.1, 0.15}, 0.3));
+          miss(state, {1., -2., 0.}, {-0.2, 0., 0.1, 0.15}, 0.3));
+  examine("the last four of five",
+          miss(state, {1., -2., 0.}, {-5., -0.2, 0., 0.1, 0.15}, 0.3));
   examine("a parabola, two equilibria",
           miss(state, {1., -2., 0.}, {0., 0.1}, 0.15));
+  examine("a parabola, three equilibria",
+          miss(state, {1., -2., 0.}, {-0.2, 0., 0.1}, 0.15));
+  const Path jumping = {1., 0., 0., 0.3};
+  examine("two equilibria after a jump",
+          miss(state, jumping, {0.05, 0.1, 0.15, 0.2}, 0.25));
+  examine("three equilibria after a jump",
+          miss(state, jumping, {0.1, 0.15, 0.2, 0.25}, 0.3));
 
   for (const double step : {0.1, 0.05, 0.025})
     {
       const Path   cubic = {2., 1., -0.5};
-      const auto   whole = miss(state, cubic, {0., step, 2. * step}, 3. * step);
       const double half  = 0.5 * step;
-      const auto   finer = miss(state, cubic, {0., half, 2. * half}, 3. * half);
+      const auto   whole =
+        miss(state, cubic, {-step, 0., step, 2. * step}, 3. * step);
+      const auto finer =
+        miss(state, cubic, {-half, 0., half, 2. * half}, 3. * half);
       deallog << "a cubic, order with steps of " << step << ": positions "
               << std::log2(whole.first / finer.first) << ", sections "
               << std::log2(whole.second / finer.second) << std::endl;

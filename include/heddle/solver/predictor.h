@@ -13,9 +13,11 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * Guesses where the next load factor takes the fibers: along the parabola
-     * through the last three equilibria, or the line through the last two.
-     * Sections keep their shape: of them the rotation vector is guessed so.
+     * Guesses where the next load factor takes the fibers: along the line
+     * through the last two equilibria or the parabola through the last three,
+     * whichever came nearer to the last one from those before it: where fibers
+     * jump or friction turns round, a parabola leads astray. Sections keep
+     * their shape: of them the rotation vector is guessed so.
      */
     class Predictor
     {
@@ -32,6 +34,8 @@ namespace Heddle
        * The motion from the current configuration to the one that is guessed
        * for the load factor of @p state: of the owned blocks, or nothing where
        * fewer than two equilibria are known.
+       *
+       * @note Collective.
        */
       System::Increment
       guess(const System::State &state) const;
@@ -49,6 +53,25 @@ namespace Heddle
         double                    load_factor;
         std::vector<Tensor<1, 3>> blocks; /**< owned ones */
       };
+
+      /**
+       * What Lagrange's polynomial through the @p n points before point @p end
+       * takes of each point at @p load_factor.
+       */
+      std::vector<double>
+      lagrange(const unsigned int end,
+               const unsigned int n,
+               const double       load_factor) const;
+
+      /**
+       * The sum of squares by which @p n points before the last one miss the
+       * nodes of the last one [mm^2].
+       */
+      double
+      miss(const System::State &state, const unsigned int n) const;
+
+      unsigned int
+      n_points_of_guess(const System::State &state) const;
 
       /** Of the two section vectors from block @p first on. */
       void
