@@ -20,6 +20,10 @@ namespace Heddle
       /** A step is doubled while the slope at its end is steeper than this. */
       constexpr double steep = 0.3;
 
+      /** Forces drive a step if what is raised is a smaller part of its slope.
+       */
+      constexpr double largest_raised = 0.5;
+
       /** Places that are tried before the best so far has to do. */
       constexpr unsigned int max_trials = 6;
     } // namespace
@@ -48,9 +52,9 @@ namespace Heddle
       petsc(VecDestroy(&image));
 
       const std::array<double, 2> rough = rough_part();
-      first.curvature                   = curvature - damping;
-      smooth_slope                      = first.slope - rough[0];
-      smooth_curvature                  = first.curvature - rough[1];
+      first.curvature  = curvature + raised(system, increment) - damping;
+      smooth_slope     = first.slope - rough[0];
+      smooth_curvature = first.curvature - rough[1];
     }
 
 
@@ -65,6 +69,28 @@ namespace Heddle
       for (unsigned int b = 0; b < unbalanced.size(); ++b)
         sum += unbalanced[b] * increment[b];
       return Utilities::MPI::sum(sum, system.state.space.communicator());
+    }
+
+
+
+    double
+    LineSearch::raised(const System::BlockSystem &system,
+                       const System::Increment   &increment)
+    {
+      // The right-hand side is what is unbalanced and what is raised.
+      double work;
+      petsc(VecDot(system.right_hand_side(), system.solution(), &work));
+      return -work - slope(system, increment);
+    }
+
+
+
+    bool
+    LineSearch::driven_by_forces(const System::BlockSystem &system,
+                                 const System::Increment   &increment)
+    {
+      return std::abs(raised(system, increment)) <=
+             largest_raised * std::abs(slope(system, increment));
     }
 
 

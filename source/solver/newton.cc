@@ -274,9 +274,10 @@ namespace Heddle
                                 "free to move without resistance";
               return result;
             }
-          // Prescribed motion does work: it may well raise the energy.
+          // Prescribed motion may well raise the energy, where it drives the
+          // step and not what is left of it after a guess.
           const bool search =
-            rough && residual.pending <= reached * length_scale;
+            rough && LineSearch::driven_by_forces(*block_system, increment);
 
           // A tangent that is not positive definite may lead uphill, away from
           // equilibrium: fibers are held back until it does not.
@@ -287,8 +288,11 @@ namespace Heddle
               continue;
             }
 
+          const bool   in_place = residual.pending <= reached * length_scale;
+          const double longest =
+            in_place ? std::max(1., longest_stretched_motion / motion) : 1.;
           const double taken =
-            step_length(state, contributions, increment, motion, search);
+            step_length(state, contributions, increment, longest, search);
           if (rough)
             damping->adapt(state, increment, taken, length_scale);
           for (Tensor<1, 3> &motion_of_block : increment)
@@ -354,7 +358,7 @@ namespace Heddle
     Newton::step_length(System::State           &state,
                         const Contributions     &contributions,
                         const System::Increment &increment,
-                        const double             motion,
+                        const double             longest,
                         const bool               search)
     {
       SectionTimer::Scope scope(timer, "line search");
@@ -369,8 +373,7 @@ namespace Heddle
       const double held =
         Utilities::MPI::sum(damping->curvature(state, increment), communicator);
       LineSearch along(state, contributions, *block_system, increment, held);
-      return along.best_step(
-        std::min(largest, std::max(1., longest_stretched_motion / motion)));
+      return along.best_step(std::min(largest, longest));
     }
 
 

@@ -1,13 +1,16 @@
 // A spring is pulled against more and more walls, as a step closes contacts.
 // The search ends where the slope is a fifth of the first one or less, and
 // tries fewer places on the way than if it went by chords or halved the
-// interval.
+// interval. What a little prescribed motion raises on the way belongs to the
+// step, and does not shorten it; where there is much of it forces do not drive
+// the step.
 #include <heddle/beam/element.h>
 #include <heddle/solver/line_search.h>
 
 #include "../tests.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <random>
 
@@ -40,6 +43,38 @@ public:
       system.add_diagonal(b, stiffness);
     system.add_force(0, Tensor<1, 3>({-force, 0., 0.}));
   }
+};
+
+
+
+/** Ties block 1 to block 0 as well. */
+class Tie : public System::Contribution
+{
+public:
+  std::string
+  name() const override
+  {
+    return "tie";
+  }
+
+  void
+  add_pattern(const System::State &,
+              System::BlockSystem::Pattern &pattern) override
+  {
+    pattern.couple(2, blocks.data());
+  }
+
+  void
+  assemble(const System::State &, System::BlockSystem &system) override
+  {
+    std::array<double, 6>  residual = {};
+    std::array<double, 36> tangent  = {};
+    tangent[3] = tangent[18] = stiffness;
+    system.add(2, blocks.data(), residual.data(), tangent.data());
+  }
+
+private:
+  const std::array<unsigned int, 2> blocks = {{0, 1}};
 };
 
 
@@ -136,6 +171,48 @@ n_places(const Walls                                             &walls,
 
 
 
+/**
+ * Whether forces drive the step, and how much of it a search takes without
+ * walls, if block 1 still has to move by @p pending.
+ */
+void
+examine_raised(System::State &state, const double pending)
+{
+  Solver::Contributions        contributions = {std::make_shared<Spring>(),
+                                                std::make_shared<Tie>()};
+  System::BlockSystem          system(state, /*symmetric=*/true);
+  System::BlockSystem::Pattern pattern(state.n_owned_blocks());
+  contributions[1]->add_pattern(state, pattern);
+  system.set_pattern(pattern);
+  System::BlockSystem::Constraint constraint = {};
+  constraint.block                           = 1;
+  constraint.fixed                           = {{true, true, true}};
+  constraint.frame                           = unit_symmetric_tensor<3>();
+  constraint.pending                         = {{pending, 0., 0.}};
+  system.set_constraints({constraint});
+  system.begin(System::BlockSystem::Want::residual_and_tangent);
+  for (const auto &contribution : contributions)
+    contribution->assemble(state, system);
+  system.end();
+
+  VecSet(system.solution(), 0.);
+  VecSetValue(system.solution(),
+              0,
+              (force - stiffness * pending) / stiffness,
+              INSERT_VALUES);
+  VecAssemblyBegin(system.solution());
+  VecAssemblyEnd(system.solution());
+  System::Increment increment;
+  system.extract_increment(increment);
+  Solver::LineSearch along(state, contributions, system, increment, 0.);
+  deallog << "prescribed, over what forces do: " << pending * stiffness / force
+          << ", driven by forces: "
+          << Solver::LineSearch::driven_by_forces(system, increment)
+          << ", step " << along.best_step(/*longest=*/1.) << std::endl;
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -199,4 +276,6 @@ main(int argc, char **argv)
     << (by_search < 0.85 * by_chords)
     << ", below 0.75 of those by halves: " << (by_search < 0.75 * by_halves)
     << std::endl;
+  for (const double pending : {0., 0.4, -0.4, 0.6, -0.6})
+    examine_raised(state, pending);
 }

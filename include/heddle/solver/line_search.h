@@ -37,12 +37,22 @@ namespace Heddle
                  const double               damping);
 
       /**
-       * Derivative of the energy along @p increment, as last assembled [N mm].
+       * Derivative of the energy along @p increment but for its prescribed
+       * part, as last assembled [N mm].
        * @note Collective.
        */
       static double
       slope(const System::BlockSystem &system,
             const System::Increment   &increment);
+
+      /**
+       * Whether unbalanced forces drive @p increment, so that energy falls
+       * along it, and not what supports prescribe.
+       * @note Collective.
+       */
+      static bool
+      driven_by_forces(const System::BlockSystem &system,
+                       const System::Increment   &increment);
 
       /**
        * Part of the increment to be taken: about 1, less where the energy rises
@@ -52,6 +62,14 @@ namespace Heddle
       best_step(const double longest);
 
     private:
+      /**
+       * By how much the prescribed part of @p increment changes the slope along
+       * the rest of it, from beginning to end [N mm].
+       */
+      static double
+      raised(const System::BlockSystem &system,
+             const System::Increment   &increment);
+
       /** Slope and curvature of the rough terms in the current state. */
       std::array<double, 2>
       rough_part() const;

@@ -140,12 +140,15 @@ namespace Heddle
                          const double         ratio,
                          const double         motion) const;
 
-      /** The part of @p increment that may be taken, and is of use. */
+      /**
+       * The part of @p increment that may be taken, and is of use: no more than
+       * @p longest.
+       */
       double
       step_length(System::State           &state,
                   const Contributions     &contributions,
                   const System::Increment &increment,
-                  const double             motion,
+                  const double             longest,
                   const bool               search);
 
       double
