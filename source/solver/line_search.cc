@@ -52,7 +52,7 @@ namespace Heddle
       petsc(VecDestroy(&image));
 
       const std::array<double, 2> rough = rough_part();
-      first.curvature  = curvature + raised(system, increment) - damping;
+      first.curvature  = curvature + raised(system, first.slope) - damping;
       smooth_slope     = first.slope - rough[0];
       smooth_curvature = first.curvature - rough[1];
     }
@@ -74,13 +74,12 @@ namespace Heddle
 
 
     double
-    LineSearch::raised(const System::BlockSystem &system,
-                       const System::Increment   &increment)
+    LineSearch::raised(const System::BlockSystem &system, const double slope)
     {
       // The right-hand side is what is unbalanced and what is raised.
       double work;
       petsc(VecDot(system.right_hand_side(), system.solution(), &work));
-      return -work - slope(system, increment);
+      return -work - slope;
     }
 
 
@@ -89,8 +88,9 @@ namespace Heddle
     LineSearch::driven_by_forces(const System::BlockSystem &system,
                                  const System::Increment   &increment)
     {
-      return std::abs(raised(system, increment)) <=
-             largest_raised * std::abs(slope(system, increment));
+      const double first = slope(system, increment);
+      return std::abs(raised(system, first)) <=
+             largest_raised * std::abs(first);
     }
 
 

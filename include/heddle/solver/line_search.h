@@ -63,12 +63,11 @@ namespace Heddle
 
     private:
       /**
-       * By how much the prescribed part of @p increment changes the slope along
-       * the rest of it, from beginning to end [N mm].
+       * By how much the prescribed part of the increment changes the @p slope
+       * along the rest of it, from beginning to end [N mm].
        */
       static double
-      raised(const System::BlockSystem &system,
-             const System::Increment   &increment);
+      raised(const System::BlockSystem &system, const double slope);
 
       /** Slope and curvature of the rough terms in the current state. */
       std::array<double, 2>
