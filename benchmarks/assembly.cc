@@ -159,8 +159,8 @@ namespace
         block[d] = radius * uniform(generator);
     state.move(1., disturbance);
 
-    System::BlockSystem          system(state, /*symmetric=*/true);
-    System::BlockSystem::Pattern pattern(state.n_owned_blocks());
+    System::BlockSystem  system(state, /*symmetric=*/true);
+    System::BlockPattern pattern(state.n_owned_blocks());
     elasticity.add_pattern(state, pattern);
     system.set_pattern(pattern);
     const double n = double(n_fibers) * space->fiber(0).n_elements;

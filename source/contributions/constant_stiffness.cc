@@ -40,7 +40,7 @@ namespace Heddle
 
 
     void
-    ConstantStiffness::add_pattern(System::BlockSystem::Pattern &pattern) const
+    ConstantStiffness::add_pattern(System::BlockPattern &pattern) const
     {
       for (unsigned int row = 0; row + 1 < row_begin.size(); ++row)
         pattern.add_row(first + row,

@@ -222,7 +222,7 @@ namespace Heddle
 
     void
     CrossingEnforcement::add_pattern(const System::State &,
-                                     System::BlockSystem::Pattern &pattern)
+                                     System::BlockPattern &pattern)
     {
       pattern_intervals = intervals();
       for (const Element &element : elements)

@@ -418,8 +418,8 @@ namespace Heddle
 
 
     void
-    FiberContact::add_pattern(const System::State          &state,
-                              System::BlockSystem::Pattern &pattern)
+    FiberContact::add_pattern(const System::State  &state,
+                              System::BlockPattern &pattern)
     {
       pattern_covers_all = pattern.couplings_apart;
       if (pattern_covers_all)

@@ -86,8 +86,8 @@ namespace Heddle
 
 
     void
-    FiberElasticity::add_pattern(const System::State          &state,
-                                 System::BlockSystem::Pattern &pattern)
+    FiberElasticity::add_pattern(const System::State  &state,
+                                 System::BlockPattern &pattern)
     {
       std::array<unsigned int, Beam::Element::max_blocks> blocks;
       for_each_element(

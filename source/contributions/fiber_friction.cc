@@ -115,8 +115,8 @@ namespace Heddle
 
 
     void
-    FiberFriction::add_pattern(const System::State          &state,
-                               System::BlockSystem::Pattern &pattern)
+    FiberFriction::add_pattern(const System::State  &state,
+                               System::BlockPattern &pattern)
     {
       // Without sections the displacement follows from the tangents too, and
       // what couples the fibers is in the matrix.

@@ -63,8 +63,8 @@ namespace Heddle
 
 
     void
-    FiberMatrixCoupling::add_pattern(const System::State          &state,
-                                     System::BlockSystem::Pattern &pattern)
+    FiberMatrixCoupling::add_pattern(const System::State  &state,
+                                     System::BlockPattern &pattern)
     {
       Places places;
       for (const EmbeddedLink &embedded : links)

@@ -212,8 +212,7 @@ namespace Heddle
 
 
     void
-    Loads::add_pattern(const System::State &,
-                       System::BlockSystem::Pattern &pattern)
+    Loads::add_pattern(const System::State &, System::BlockPattern &pattern)
     {
       for (const Moment &moment : moments)
         {

@@ -81,8 +81,8 @@ namespace Heddle
 
 
     void
-    MatrixElasticity::add_pattern(const System::State          &state,
-                                  System::BlockSystem::Pattern &pattern)
+    MatrixElasticity::add_pattern(const System::State  &state,
+                                  System::BlockPattern &pattern)
     {
       if (law->is_linear() && !stiffness)
         assemble_once(state);

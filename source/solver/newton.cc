@@ -496,8 +496,8 @@ namespace Heddle
         stale = contribution->needs_new_pattern() || stale;
       if (Utilities::MPI::max(stale ? 1 : 0, communicator) > 0)
         {
-          System::BlockSystem::Pattern pattern(
-            state.n_owned_blocks(), block_system->keeps_couplings_apart());
+          System::BlockPattern pattern(state.n_owned_blocks(),
+                                       block_system->keeps_couplings_apart());
           for (const auto &contribution : contributions)
             contribution->add_pattern(state, pattern);
           block_system->set_pattern(pattern);

@@ -99,7 +99,7 @@ public:
     using Heddle::System::BlockSystem;
     contact->update(state);
     system = std::make_unique<BlockSystem>(state, /*symmetric=*/true);
-    BlockSystem::Pattern pattern(state.n_owned_blocks());
+    Heddle::System::BlockPattern pattern(state.n_owned_blocks());
     contact->add_pattern(state, pattern);
     system->set_pattern(pattern);
     system->set_constraints({});

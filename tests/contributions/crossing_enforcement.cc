@@ -104,7 +104,7 @@ struct Scene
   assembled(const Blocks &direction)
   {
     move(direction, 0.);
-    System::BlockSystem::Pattern pattern(state.n_owned_blocks());
+    System::BlockPattern pattern(state.n_owned_blocks());
     enforcement.add_pattern(state, pattern);
     system.set_pattern(pattern);
     system.set_constraints({});

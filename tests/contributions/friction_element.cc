@@ -82,8 +82,8 @@ public:
   Motion
   tangent_times(const Motion &motion)
   {
-    System::BlockSystem          system(scene.state, /*symmetric=*/true);
-    System::BlockSystem::Pattern pattern(scene.state.n_owned_blocks());
+    System::BlockSystem  system(scene.state, /*symmetric=*/true);
+    System::BlockPattern pattern(scene.state.n_owned_blocks());
     friction->add_pattern(scene.state, pattern);
     system.set_pattern(pattern);
     system.set_constraints({});

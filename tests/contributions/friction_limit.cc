@@ -84,8 +84,8 @@ public:
   tangent_times(const Motion &motion)
   {
     place();
-    System::BlockSystem          system(scene.state, /*symmetric=*/true);
-    System::BlockSystem::Pattern pattern(scene.state.n_owned_blocks());
+    System::BlockSystem  system(scene.state, /*symmetric=*/true);
+    System::BlockPattern pattern(scene.state.n_owned_blocks());
     friction->add_pattern(scene.state, pattern);
     system.set_pattern(pattern);
     system.set_constraints({});

@@ -54,7 +54,7 @@ take_newton_step(SceneType &scene)
 
   NewtonStep           result;
   BlockSystem          system(state, /*symmetric=*/false);
-  BlockSystem::Pattern pattern(state.n_owned_blocks());
+  System::BlockPattern pattern(state.n_owned_blocks());
   for (const auto &contribution : scene.contributions)
     {
       contribution->begin_step(state);

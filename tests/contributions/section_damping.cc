@@ -21,7 +21,7 @@ public:
     build({straight_path({}, along, /*n_knots=*/5, /*radius=*/0.1),
            straight_path(beside, beside + along, 5, 0.1)});
     system = std::make_unique<System::BlockSystem>(*state, /*symmetric=*/true);
-    System::BlockSystem::Pattern pattern(state->n_owned_blocks());
+    System::BlockPattern pattern(state->n_owned_blocks());
     for (unsigned int b = 0; b < state->n_owned_blocks(); ++b)
       pattern.couple(1, &b);
     system->set_pattern(pattern);

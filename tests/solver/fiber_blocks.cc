@@ -52,7 +52,7 @@ public:
   void
   assemble(const bool contact, const double less)
   {
-    System::BlockSystem::Pattern pattern(state->n_owned_blocks());
+    System::BlockPattern pattern(state->n_owned_blocks());
     for_each_group(contact, [&](const std::vector<unsigned int> &blocks) {
       pattern.couple(blocks.size(), blocks.data());
     });

@@ -32,7 +32,7 @@ public:
   }
 
   void
-  add_pattern(const System::State &, System::BlockSystem::Pattern &) override
+  add_pattern(const System::State &, System::BlockPattern &) override
   {
   }
 
@@ -58,8 +58,7 @@ public:
   }
 
   void
-  add_pattern(const System::State &,
-              System::BlockSystem::Pattern &pattern) override
+  add_pattern(const System::State &, System::BlockPattern &pattern) override
   {
     pattern.couple(2, blocks.data());
   }
@@ -102,7 +101,7 @@ public:
   }
 
   void
-  add_pattern(const System::State &, System::BlockSystem::Pattern &) override
+  add_pattern(const System::State &, System::BlockPattern &) override
   {
   }
 
@@ -178,10 +177,10 @@ n_places(const Walls                                             &walls,
 void
 examine_raised(System::State &state, const double pending)
 {
-  Solver::Contributions        contributions = {std::make_shared<Spring>(),
-                                                std::make_shared<Tie>()};
-  System::BlockSystem          system(state, /*symmetric=*/true);
-  System::BlockSystem::Pattern pattern(state.n_owned_blocks());
+  Solver::Contributions contributions = {std::make_shared<Spring>(),
+                                         std::make_shared<Tie>()};
+  System::BlockSystem   system(state, /*symmetric=*/true);
+  System::BlockPattern  pattern(state.n_owned_blocks());
   contributions[1]->add_pattern(state, pattern);
   system.set_pattern(pattern);
   System::BlockSystem::Constraint constraint = {};
@@ -230,7 +229,7 @@ main(int argc, char **argv)
   const Solver::Contributions contributions = {std::make_shared<Spring>(),
                                                walls};
   System::BlockSystem         system(state, /*symmetric=*/true);
-  system.set_pattern(System::BlockSystem::Pattern(state.n_owned_blocks()));
+  system.set_pattern(System::BlockPattern(state.n_owned_blocks()));
   system.set_constraints({});
   system.begin(System::BlockSystem::Want::residual_and_tangent);
   for (const auto &contribution : contributions)

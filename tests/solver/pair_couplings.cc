@@ -108,10 +108,10 @@ public:
   std::unique_ptr<System::BlockSystem>
   assemble(const bool apart)
   {
-    auto system = std::make_unique<System::BlockSystem>(*state,
+    auto                 system = std::make_unique<System::BlockSystem>(*state,
                                                         /*symmetric=*/true,
                                                         apart);
-    System::BlockSystem::Pattern pattern(state->n_owned_blocks(), apart);
+    System::BlockPattern pattern(state->n_owned_blocks(), apart);
     for (const auto &contribution : contributions)
       contribution->add_pattern(*state, pattern);
     system->set_pattern(pattern);

@@ -16,8 +16,8 @@ main(int argc, char **argv)
        Tensor<1, 3>({0., 1., 0.}), Tensor<1, 3>({1., 1., 0.}), 5, 0.1)});
   const System::State &state = *scene.state;
 
-  System::BlockSystem          system(state, /*symmetric=*/true);
-  System::BlockSystem::Pattern pattern(state.n_owned_blocks());
+  System::BlockSystem  system(state, /*symmetric=*/true);
+  System::BlockPattern pattern(state.n_owned_blocks());
   system.set_pattern(pattern);
   Solver::LinearSolverParameters parameters;
   parameters.kind = "direct";

@@ -45,7 +45,7 @@ public:
   assemble(const double drag, const bool symmetric) const
   {
     auto system = std::make_unique<System::BlockSystem>(*state, symmetric);
-    System::BlockSystem::Pattern pattern(state->n_owned_blocks());
+    System::BlockPattern pattern(state->n_owned_blocks());
     for (const auto &contribution : contributions)
       contribution->add_pattern(*state, pattern);
     for_each_tie(

@@ -43,7 +43,7 @@ public:
     system = std::make_unique<System::BlockSystem>(*state, /*symmetric=*/true);
 
     // Neighbours are tied along a yarn, yarns weakly, to the ground hardly.
-    System::BlockSystem::Pattern pattern(state->n_owned_blocks());
+    System::BlockPattern pattern(state->n_owned_blocks());
     for (const auto &contribution : contributions)
       contribution->add_pattern(*state, pattern);
     for_each_spring([&](const unsigned int *blocks, const double) {

@@ -33,7 +33,7 @@ namespace Heddle
           const Tensor<2, 3> &value);
 
       void
-      add_pattern(System::BlockSystem::Pattern &pattern) const;
+      add_pattern(System::BlockPattern &pattern) const;
 
       /** Add the rows to the tangent. */
       void

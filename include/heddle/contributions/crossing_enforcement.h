@@ -101,8 +101,8 @@ namespace Heddle
       needs_new_pattern() const override;
 
       void
-      add_pattern(const System::State          &state,
-                  System::BlockSystem::Pattern &pattern) override;
+      add_pattern(const System::State  &state,
+                  System::BlockPattern &pattern) override;
 
       void
       assemble(const System::State &state,

@@ -71,8 +71,8 @@ namespace Heddle
       }
 
       void
-      add_pattern(const System::State          &state,
-                  System::BlockSystem::Pattern &pattern) override;
+      add_pattern(const System::State  &state,
+                  System::BlockPattern &pattern) override;
 
       void
       assemble(const System::State &state,

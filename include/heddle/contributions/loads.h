@@ -47,8 +47,8 @@ namespace Heddle
       begin_step(System::State &state) override;
 
       void
-      add_pattern(const System::State          &state,
-                  System::BlockSystem::Pattern &pattern) override;
+      add_pattern(const System::State  &state,
+                  System::BlockPattern &pattern) override;
 
       void
       assemble(const System::State &state,

@@ -37,8 +37,7 @@ namespace Heddle
       }
 
       void
-      add_pattern(const System::State &,
-                  System::BlockSystem::Pattern &) override
+      add_pattern(const System::State &, System::BlockPattern &) override
       {
       }
 

@@ -40,8 +40,7 @@ namespace Heddle
               const System::Increment &increment) override;
 
       void
-      add_pattern(const System::State &,
-                  System::BlockSystem::Pattern &) override
+      add_pattern(const System::State &, System::BlockPattern &) override
       {
       }
 

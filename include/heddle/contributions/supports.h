@@ -51,8 +51,7 @@ namespace Heddle
         const override;
 
       void
-      add_pattern(const System::State &,
-                  System::BlockSystem::Pattern &) override
+      add_pattern(const System::State &, System::BlockPattern &) override
       {
       }
 

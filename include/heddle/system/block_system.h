@@ -1,6 +1,7 @@
 #ifndef heddle_system_block_system_h
 #define heddle_system_block_system_h
 
+#include <heddle/system/block_pattern.h>
 #include <heddle/system/local_blocks.h>
 #include <heddle/system/pair_couplings.h>
 #include <heddle/system/state.h>
@@ -78,51 +79,12 @@ namespace Heddle
       BlockSystem &
       operator=(const BlockSystem &) = delete;
 
-      /** Collects which blocks of the tangent contributions will write. */
-      class Pattern
-      {
-      public:
-        /** With @p couplings_apart for a system that keeps them so. */
-        Pattern(const unsigned int n_owned_blocks,
-                const bool         couplings_apart = false)
-          : couplings_apart(couplings_apart)
-          , n_rows(n_owned_blocks)
-        {
-        }
-
-        /** All pairs of these local blocks. */
-        void
-        couple(const unsigned int n, const unsigned int *blocks);
-
-        /** An owned row with these local blocks. */
-        void
-        add_row(const unsigned int  row,
-                const unsigned int  n,
-                const unsigned int *blocks);
-
-        /** Sorted local blocks of all rows, each once and with the diagonal. */
-        std::vector<std::vector<unsigned int>>
-        columns() const;
-
-        const bool couplings_apart;
-
-      private:
-        void
-        add_group(const unsigned int n, const unsigned int *blocks);
-
-        const unsigned int        n_rows;
-        std::vector<unsigned int> group_begin = {0}, group_blocks;
-
-        /** A row, and a group that it holds. */
-        std::vector<std::pair<unsigned int, unsigned int>> uses;
-      };
-
       /**
        * Create the tangent with this pattern.
        * @note Collective.
        */
       void
-      set_pattern(const Pattern &pattern);
+      set_pattern(const BlockPattern &pattern);
 
       void
       set_constraints(const std::vector<Constraint> &constraints);

@@ -92,7 +92,7 @@ namespace Heddle
 
       /** Say which blocks assemble() may couple. */
       virtual void
-      add_pattern(const State &state, BlockSystem::Pattern &pattern) = 0;
+      add_pattern(const State &state, BlockPattern &pattern) = 0;
 
       /** Add residual and, if wanted, tangent. */
       virtual void
