@@ -108,18 +108,17 @@ namespace Heddle
 
 
     void
-    Supports::constrain(
-      const System::State                          &state,
-      std::vector<System::BlockSystem::Constraint> &constraints) const
+    Supports::constrain(const System::State             &state,
+                        std::vector<System::Constraint> &constraints) const
     {
       for (const HeldBlock &held : blocks)
         if (held.local_block(state) != HeldBlock::nobody)
           {
-            System::BlockSystem::Constraint constraint = {};
-            constraint.block        = held.local_block(state);
-            constraint.frame        = unit_symmetric_tensor<3>();
-            const Tensor<1, 3> goal = target(held, state.load_factor);
-            Tensor<1, 3> motion     = goal - state.current()[constraint.block];
+            System::Constraint constraint = {};
+            constraint.block              = held.local_block(state);
+            constraint.frame              = unit_symmetric_tensor<3>();
+            const Tensor<1, 3> goal       = target(held, state.load_factor);
+            Tensor<1, 3> motion = goal - state.current()[constraint.block];
             if (held.kind == HeldBlock::Kind::direction)
               {
                 constraint.frame = frame_along(goal);

@@ -14,10 +14,10 @@ namespace Heddle
   namespace Solver
   {
     Residual
-    judge(const System::BlockSystem                          &system,
-          const Contributions                                &contributions,
-          const std::vector<System::BlockSystem::Constraint> &constraints,
-          const double                                        negligible)
+    judge(const System::BlockSystem             &system,
+          const Contributions                   &contributions,
+          const std::vector<System::Constraint> &constraints,
+          const double                           negligible)
     {
       const System::State      &state = system.state;
       const System::FiberSpace &space = state.space;
@@ -82,9 +82,8 @@ namespace Heddle
 
 
     double
-    pending_motion(
-      const std::vector<System::BlockSystem::Constraint> &constraints,
-      const MPI_Comm                                      communicator)
+    pending_motion(const std::vector<System::Constraint> &constraints,
+                   const MPI_Comm                         communicator)
     {
       double largest = 0.;
       for (const auto &constraint : constraints)

@@ -223,7 +223,7 @@ namespace Heddle
             b.first >= b.second)
           return;
         if (std::any_of(blocks.begin(), blocks.end(), [&](const auto block) {
-              return system.is_constrained(block);
+              return system.constraints().is_constrained(block);
             }))
           {
             project_constrained<n_of_side>(system, blocks, first, end, coarse);
@@ -274,8 +274,9 @@ namespace Heddle
             SymmetricTensor<2, 3> sum;
             for (const auto *term = first; term < end; ++term)
               sum += term->weights[i] * term->weights[j] * term->stiffness;
-            const Tensor<2, 3> free = system.constrained(row, column, sum);
-            double             block[9];
+            const Tensor<2, 3> free =
+              system.constraints().constrained(row, column, sum);
+            double block[9];
             for (unsigned int k = 0; k < 9; ++k)
               block[k] = free[k % 3][k / 3];
             project(shares[row], shares[column], block, /*twice=*/true, coarse);

@@ -123,21 +123,10 @@ namespace Heddle
 
 
     void
-    BlockSystem::set_constraints(const std::vector<Constraint> &new_constraints)
-    {
-      constraints = new_constraints;
-      constraint_of_block.assign(state.n_local_blocks(), -1);
-      for (unsigned int c = 0; c < constraints.size(); ++c)
-        constraint_of_block[constraints[c].block] = c;
-    }
-
-
-
-    void
     BlockSystem::begin(const Want new_want)
     {
       want = new_want;
-      constraint_of_block.resize(state.n_local_blocks(), -1);
+      prescribed.set_n_blocks(state.n_local_blocks());
       forces.assign(state.n_owned_blocks(), Tensor<1, 3>());
       if (wants_tangent())
         {
@@ -171,13 +160,10 @@ namespace Heddle
       if (!wants_tangent())
         return;
 
-      bool constrained = false;
-      for (unsigned int i = 0; i < n; ++i)
-        constrained = constrained || constraint_of_block[blocks[i]] >= 0;
-      if (constrained)
+      if (prescribed.is_any_constrained(n, blocks))
         {
           work.assign(tangent, tangent + 9 * n * n);
-          constrain(n, blocks, work.data());
+          prescribed.eliminate(n, blocks, work.data(), lifting);
           tangent = work.data();
         }
 
@@ -241,90 +227,6 @@ namespace Heddle
 
 
     void
-    BlockSystem::constrain(const unsigned int  n,
-                           const unsigned int *blocks,
-                           double             *tangent)
-    {
-      const unsigned int size = 3 * n;
-      for (unsigned int i = 0; i < n; ++i)
-        if (constraint_of_block[blocks[i]] >= 0)
-          {
-            const Constraint &constraint =
-              constraints[constraint_of_block[blocks[i]]];
-            // Turn rows and columns of this block into its frame, ...
-            for (unsigned int j = 0; j < size; ++j)
-              {
-                Tensor<1, 3> column;
-                for (unsigned int d = 0; d < 3; ++d)
-                  column[d] = tangent[j * size + 3 * i + d];
-                column = constraint.frame * column;
-                for (unsigned int d = 0; d < 3; ++d)
-                  tangent[j * size + 3 * i + d] = column[d];
-              }
-            for (unsigned int j = 0; j < size; ++j)
-              {
-                Tensor<1, 3> row;
-                for (unsigned int d = 0; d < 3; ++d)
-                  row[d] = tangent[(3 * i + d) * size + j];
-                row = constraint.frame * row;
-                for (unsigned int d = 0; d < 3; ++d)
-                  tangent[(3 * i + d) * size + j] = row[d];
-              }
-          }
-
-      for (unsigned int i = 0; i < n; ++i)
-        if (constraint_of_block[blocks[i]] >= 0)
-          {
-            const Constraint &constraint =
-              constraints[constraint_of_block[blocks[i]]];
-            for (unsigned int d = 0; d < 3; ++d)
-              if (constraint.fixed[d])
-                {
-                  // ... and take prescribed motion to the right-hand side.
-                  const unsigned int column = 3 * i + d;
-                  for (unsigned int j = 0; j < size; ++j)
-                    {
-                      if (blocks[j / 3] < state.n_owned_blocks())
-                        lifting[blocks[j / 3]][j % 3] +=
-                          tangent[j * size + column] * constraint.pending[d];
-                      tangent[j * size + column] = 0.;
-                      tangent[column * size + j] = 0.;
-                    }
-                }
-          }
-    }
-
-
-
-    Tensor<2, 3>
-    BlockSystem::constrained(const unsigned int row,
-                             const unsigned int column,
-                             Tensor<2, 3>       value) const
-    {
-      if (is_constrained(row))
-        {
-          const Constraint &constraint = constraints[constraint_of_block[row]];
-          value                        = constraint.frame * value;
-          for (unsigned int d = 0; d < 3; ++d)
-            if (constraint.fixed[d])
-              value[d] = 0.;
-        }
-      if (is_constrained(column))
-        {
-          const Constraint &constraint =
-            constraints[constraint_of_block[column]];
-          value = value * transpose(constraint.frame);
-          for (unsigned int d = 0; d < 3; ++d)
-            if (constraint.fixed[d])
-              for (unsigned int e = 0; e < 3; ++e)
-                value[e][d] = 0.;
-        }
-      return value;
-    }
-
-
-
-    void
     BlockSystem::add_row(const unsigned int  row,
                          const unsigned int  n,
                          const unsigned int *columns,
@@ -335,22 +237,12 @@ namespace Heddle
       row_columns.resize(n);
       for (unsigned int k = 0; k < n; ++k)
         {
-          if (is_constrained(columns[k]))
-            {
-              const Constraint &constraint =
-                constraints[constraint_of_block[columns[k]]];
-              Tensor<1, 3> pending;
-              for (unsigned int d = 0; d < 3; ++d)
-                if (constraint.fixed[d])
-                  pending += constraint.pending[d] * constraint.frame[d];
-              const Tensor<1, 3> raised = values[k] * pending;
-              lifting[row] +=
-                is_constrained(row)
-                  ? constraints[constraint_of_block[row]].frame * raised
-                  : raised;
-            }
-          const Tensor<2, 3> value = constrained(row, columns[k], values[k]);
-          row_columns[k]           = global_blocks[columns[k]];
+          if (prescribed.is_constrained(columns[k]))
+            lifting[row] += prescribed.in_frame(
+              row, values[k] * prescribed.motion(columns[k]));
+          const Tensor<2, 3> value =
+            prescribed.constrained(row, columns[k], values[k]);
+          row_columns[k] = global_blocks[columns[k]];
           for (unsigned int e = 0; e < 3; ++e)
             for (unsigned int d = 0; d < 3; ++d)
               work[3 * n * e + 3 * k + d] = value[e][d];
@@ -362,16 +254,24 @@ namespace Heddle
 
 
     void
-    BlockSystem::add_diagonal(const unsigned int block, const double value)
+    BlockSystem::add_to_diagonal(const unsigned int block,
+                                 const bool         fixed,
+                                 const double       value)
     {
       const PetscInt row       = global_blocks[block];
-      double         values[9] = {value, 0., 0., 0., value, 0., 0., 0., value};
-      const int      c         = constraint_of_block[block];
-      if (c >= 0)
-        for (unsigned int d = 0; d < 3; ++d)
-          if (constraints[c].fixed[d])
-            values[4 * d] = 0.;
+      double         values[9] = {};
+      for (unsigned int d = 0; d < 3; ++d)
+        if (prescribed.is_fixed(block, d) == fixed)
+          values[4 * d] = value;
       petsc(MatSetValuesBlocked(matrix, 1, &row, 1, &row, values, ADD_VALUES));
+    }
+
+
+
+    void
+    BlockSystem::add_diagonal(const unsigned int block, const double value)
+    {
+      add_to_diagonal(block, /*fixed=*/false, value);
     }
 
 
@@ -389,37 +289,35 @@ namespace Heddle
       any_unsymmetric = on_any_rank(!unsymmetric.empty());
       any_couplings   = on_any_rank(!of_axes.empty() || !of_sections.empty());
       lift_terms();
-
-      // The right-hand side in the frames of the constraints. What a prescribed
-      // motion raises is in there, the motion itself in extract_increment():
-      // its component has the equation stiffness * motion = 0, and adds nothing
-      // to the norms by which iterative solvers stop.
-      double *values;
-      petsc(VecGetArray(rhs, &values));
+      set_right_hand_side();
       for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)
-        for (unsigned int d = 0; d < 3; ++d)
-          values[3 * b + d] = -forces[b][d] - lifting[b][d];
-      for (const Constraint &constraint : constraints)
-        if (constraint.block < state.n_owned_blocks())
-          {
-            const unsigned int b           = constraint.block;
-            const Tensor<1, 3> in_frame    = constraint.frame * forces[b];
-            double             diagonal[9] = {};
-            for (unsigned int d = 0; d < 3; ++d)
-              {
-                values[3 * b + d] =
-                  constraint.fixed[d] ? 0. : -in_frame[d] - lifting[b][d];
-                diagonal[4 * d] =
-                  constraint.fixed[d] ? held_stiffnesses[b] : 0.;
-              }
-            const PetscInt row = global_blocks[b];
-            petsc(MatSetValuesBlocked(
-              matrix, 1, &row, 1, &row, diagonal, ADD_VALUES));
-          }
-      petsc(VecRestoreArray(rhs, &values));
+        if (prescribed.is_constrained(b))
+          add_to_diagonal(b, /*fixed=*/true, held_stiffnesses[b]);
       own.reset();
       petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
       petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+    }
+
+
+
+    void
+    BlockSystem::set_right_hand_side()
+    {
+      // What a prescribed motion raises is in there, the motion itself in
+      // extract_increment(): its component has the equation stiffness * motion
+      // = 0, and adds nothing to the norms by which iterative solvers stop.
+      std::vector<Tensor<1, 3>> balancing = forces;
+      prescribed.turn_into_frames(balancing);
+      for (unsigned int b = 0; b < balancing.size(); ++b)
+        balancing[b] = -balancing[b] - lifting[b];
+      prescribed.clear_fixed(balancing);
+
+      double *values;
+      petsc(VecGetArray(rhs, &values));
+      for (unsigned int b = 0; b < balancing.size(); ++b)
+        for (unsigned int d = 0; d < 3; ++d)
+          values[3 * b + d] = balancing[b][d];
+      petsc(VecRestoreArray(rhs, &values));
     }
 
 
@@ -430,17 +328,10 @@ namespace Heddle
       if (!any_unsymmetric && !any_couplings)
         return;
       motion.assign(state.n_local_blocks(), Tensor<1, 3>());
-      for (const Constraint &constraint : constraints)
-        for (unsigned int d = 0; d < 3; ++d)
-          if (constraint.fixed[d])
-            motion[constraint.block] +=
-              constraint.pending[d] * constraint.frame[d];
+      prescribed.add_motion(motion);
       raised.assign(state.n_owned_blocks(), Tensor<1, 3>());
       apply_terms(Part::whole, motion, raised);
-      for (const Constraint &constraint : constraints)
-        if (constraint.block < raised.size())
-          raised[constraint.block] =
-            constraint.frame * raised[constraint.block];
+      prescribed.turn_into_frames(raised);
       for (unsigned int b = 0; b < raised.size(); ++b)
         lifting[b] += raised[b];
     }
@@ -469,30 +360,19 @@ namespace Heddle
         return;
 
       // Prescribed components have no part in it: what they raise is lifted.
-      const auto free_part = [](const Constraint &constraint,
-                                Tensor<1, 3>      values) {
-        for (unsigned int d = 0; d < 3; ++d)
-          values[d] = constraint.fixed[d] ? 0. : values[d];
-        return values;
-      };
       const unsigned int n_owned = state.n_owned_blocks();
       motion.resize(state.n_local_blocks());
       for (unsigned int b = 0; b < n_owned; ++b)
         for (unsigned int d = 0; d < 3; ++d)
           motion[b][d] = vector[3 * b + d];
-      for (const Constraint &constraint : constraints)
-        if (constraint.block < n_owned)
-          motion[constraint.block] =
-            transpose(constraint.frame) *
-            free_part(constraint, motion[constraint.block]);
+      prescribed.clear_fixed(motion);
+      prescribed.turn_out_of_frames(motion);
       state.update_ghosts(motion);
 
       raised.assign(n_owned, Tensor<1, 3>());
       apply_terms(part, motion, raised);
-      for (const Constraint &constraint : constraints)
-        if (constraint.block < n_owned)
-          raised[constraint.block] =
-            free_part(constraint, constraint.frame * raised[constraint.block]);
+      prescribed.turn_into_frames(raised);
+      prescribed.clear_fixed(raised);
       for (unsigned int b = 0; b < n_owned; ++b)
         for (unsigned int d = 0; d < 3; ++d)
           product[3 * b + d] += raised[b][d];
@@ -504,16 +384,9 @@ namespace Heddle
     BlockSystem::unbalanced(std::vector<Tensor<1, 3>> &values) const
     {
       values = forces;
-      for (const Constraint &constraint : constraints)
-        if (constraint.block < state.n_owned_blocks())
-          {
-            Tensor<1, 3> &force = values[constraint.block];
-            force               = constraint.frame * force;
-            for (unsigned int d = 0; d < 3; ++d)
-              if (constraint.fixed[d])
-                force[d] = 0.;
-            force = transpose(constraint.frame) * force;
-          }
+      prescribed.turn_into_frames(values);
+      prescribed.clear_fixed(values);
+      prescribed.turn_out_of_frames(values);
     }
 
 
@@ -528,15 +401,8 @@ namespace Heddle
         for (unsigned int d = 0; d < 3; ++d)
           values[b][d] = solution[3 * b + d];
       petsc(VecRestoreArrayRead(increment, &solution));
-      for (const Constraint &constraint : constraints)
-        if (constraint.block < state.n_owned_blocks())
-          {
-            Tensor<1, 3> &motion = values[constraint.block];
-            for (unsigned int d = 0; d < 3; ++d)
-              if (constraint.fixed[d])
-                motion[d] = constraint.pending[d];
-            motion = transpose(constraint.frame) * motion;
-          }
+      prescribed.set_pending(values);
+      prescribed.turn_out_of_frames(values);
       state.update_ghosts(values);
     }
   } // namespace System

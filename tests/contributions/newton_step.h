@@ -14,9 +14,9 @@ using System::BlockSystem;
 /** What one Newton step leaves of the forces, to first order. */
 struct NewtonStep
 {
-  std::vector<Tensor<1, 3>>            before; /**< unbalanced forces */
-  std::vector<Tensor<1, 3>>            rest;   /**< of them after the step */
-  std::vector<BlockSystem::Constraint> constraints;
+  std::vector<Tensor<1, 3>>       before; /**< unbalanced forces */
+  std::vector<Tensor<1, 3>>       rest;   /**< of them after the step */
+  std::vector<System::Constraint> constraints;
 };
 
 

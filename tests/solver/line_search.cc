@@ -183,11 +183,11 @@ examine_raised(System::State &state, const double pending)
   System::BlockPattern  pattern(state.n_owned_blocks());
   contributions[1]->add_pattern(state, pattern);
   system.set_pattern(pattern);
-  System::BlockSystem::Constraint constraint = {};
-  constraint.block                           = 1;
-  constraint.fixed                           = {{true, true, true}};
-  constraint.frame                           = unit_symmetric_tensor<3>();
-  constraint.pending                         = {{pending, 0., 0.}};
+  System::Constraint constraint = {};
+  constraint.block              = 1;
+  constraint.fixed              = {{true, true, true}};
+  constraint.frame              = unit_symmetric_tensor<3>();
+  constraint.pending            = {{pending, 0., 0.}};
   system.set_constraints({constraint});
   system.begin(System::BlockSystem::Want::residual_and_tangent);
   for (const auto &contribution : contributions)

@@ -104,12 +104,12 @@ private:
   }
 
   /** Both ends of all fibers, one component of one of them moves. */
-  std::vector<System::BlockSystem::Constraint>
+  std::vector<System::Constraint>
   constraints() const
   {
-    std::vector<System::BlockSystem::Constraint> result;
-    const double       c = std::cos(0.4), s = std::sin(0.4);
-    const Tensor<2, 3> frame(
+    std::vector<System::Constraint> result;
+    const double                    c = std::cos(0.4), s = std::sin(0.4);
+    const Tensor<2, 3>              frame(
       {{c, s, 0.}, {-s * c, c * c, s}, {s * s, -s * c, c}});
     for (unsigned int f = 0; f < n_fibers; ++f)
       for (const unsigned int node : {0u, n_knots - 1})

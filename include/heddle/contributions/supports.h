@@ -46,9 +46,8 @@ namespace Heddle
       begin_stage(const System::State &state) override;
 
       void
-      constrain(const System::State                          &state,
-                std::vector<System::BlockSystem::Constraint> &constraints)
-        const override;
+      constrain(const System::State             &state,
+                std::vector<System::Constraint> &constraints) const override;
 
       void
       add_pattern(const System::State &, System::BlockPattern &) override

@@ -168,14 +168,14 @@ namespace Heddle
       SectionTimer                 &timer;
       StopRequest                  &stop;
 
-      std::unique_ptr<System::BlockSystem>         block_system;
-      std::unique_ptr<LinearSolver>                linear_solver;
-      std::unique_ptr<FiberDamping>                damping;
-      unsigned int                                 ghost_version = 0;
-      unsigned int                                 field_version = 0;
-      std::vector<System::BlockSystem::Constraint> constraints;
-      double                                       softness     = 0.;
-      double                                       length_scale = 1.;
+      std::unique_ptr<System::BlockSystem> block_system;
+      std::unique_ptr<LinearSolver>        linear_solver;
+      std::unique_ptr<FiberDamping>        damping;
+      unsigned int                         ghost_version = 0;
+      unsigned int                         field_version = 0;
+      std::vector<System::Constraint>      constraints;
+      double                               softness     = 0.;
+      double                               length_scale = 1.;
       double negligible_force = 0.; /**< below are last digits [N] */
     };
   } // namespace Solver

@@ -28,16 +28,15 @@ namespace Heddle
      * @note Collective, like the functions below.
      */
     Residual
-    judge(const System::BlockSystem                          &system,
-          const Contributions                                &contributions,
-          const std::vector<System::BlockSystem::Constraint> &constraints,
-          const double                                        negligible);
+    judge(const System::BlockSystem             &system,
+          const Contributions                   &contributions,
+          const std::vector<System::Constraint> &constraints,
+          const double                           negligible);
 
     /** Largest motion that is prescribed and not yet done [mm]. */
     double
-    pending_motion(
-      const std::vector<System::BlockSystem::Constraint> &constraints,
-      const MPI_Comm                                      communicator);
+    pending_motion(const std::vector<System::Constraint> &constraints,
+                   const MPI_Comm                         communicator);
 
     /** "fiber 3 of yarn 1 near (0, 1, 0), where it touches fiber 7" */
     std::string

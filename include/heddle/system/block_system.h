@@ -2,6 +2,7 @@
 #define heddle_system_block_system_h
 
 #include <heddle/system/block_pattern.h>
+#include <heddle/system/constraints.h>
 #include <heddle/system/local_blocks.h>
 #include <heddle/system/pair_couplings.h>
 #include <heddle/system/state.h>
@@ -33,10 +34,9 @@ namespace Heddle
      * multiplied with: the unsymmetric one, and, if so wanted, what couples two
      * fibers.
      *
-     * A block may be *constrained*: some of its components along the rows of an
-     * orthonormal frame have to move by a prescribed amount. They are
-     * eliminated while elements are added, which keeps the matrix symmetric,
-     * and from products with what is beside it.
+     * Components that are prescribed, see Constraints, are eliminated while
+     * elements are added, which keeps the matrix symmetric, and from products
+     * with what is beside it.
      */
     class BlockSystem
     {
@@ -46,15 +46,6 @@ namespace Heddle
       {
         residual,
         residual_and_tangent
-      };
-
-      /** Prescribed motion of some components of one block. */
-      struct Constraint
-      {
-        unsigned int          block;   /**< local number */
-        std::array<bool, 3>   fixed;   /**< by row of the frame */
-        Tensor<2, 3>          frame;   /**< rows: orthonormal directions */
-        std::array<double, 3> pending; /**< what remains to be moved */
       };
 
       /** Without or with the unsymmetric terms. */
@@ -86,23 +77,18 @@ namespace Heddle
       void
       set_pattern(const BlockPattern &pattern);
 
+      /** Prescribe these motions, and no others. */
       void
-      set_constraints(const std::vector<Constraint> &constraints);
-
-      bool
-      is_constrained(const unsigned int block) const
+      set_constraints(const std::vector<Constraint> &constraints)
       {
-        return constraint_of_block[block] >= 0;
+        prescribed.set(constraints, state.n_local_blocks());
       }
 
-      /**
-       * A 3x3 block @p value between two local blocks as the matrix has it: in
-       * their frames, and without what is prescribed.
-       */
-      Tensor<2, 3>
-      constrained(const unsigned int row,
-                  const unsigned int column,
-                  Tensor<2, 3>       value) const;
+      const Constraints &
+      constraints() const
+      {
+        return prescribed;
+      }
 
       /** Set to zero what @p want asks to be assembled. */
       void
@@ -277,10 +263,18 @@ namespace Heddle
              const unsigned int *blocks,
              const double       *tangent);
 
+      /**
+       * Add @p value to the diagonal entries of an owned block, for components
+       * that are @p fixed or for those that are not.
+       */
       void
-      constrain(const unsigned int  n,
-                const unsigned int *blocks,
-                double             *tangent);
+      add_to_diagonal(const unsigned int block,
+                      const bool         fixed,
+                      const double       value);
+
+      /** Set the right-hand side, in the frames of the constraints. */
+      void
+      set_right_hand_side();
 
       /** Take what prescribed motion raises there to the right-hand side. */
       void
@@ -304,15 +298,15 @@ namespace Heddle
       mutable std::vector<Tensor<1, 3>> motion, raised; /**< by these terms */
 
       std::vector<Tensor<1, 3>> forces;
-      std::vector<Tensor<1, 3>> lifting; /**< tangent times pending motion */
+      /** Tangent times pending motion, in the frames of the constraints. */
+      std::vector<Tensor<1, 3>> lifting;
       /** Of owned blocks, for components that are prescribed. */
       const std::vector<double> held_stiffnesses;
 
-      std::vector<Constraint> constraints;
-      std::vector<int>        constraint_of_block;
-      std::vector<PetscInt>   global_blocks;
-      std::vector<double>     work;
-      std::vector<PetscInt>   row_columns;
+      Constraints           prescribed;
+      std::vector<PetscInt> global_blocks;
+      std::vector<double>   work;
+      std::vector<PetscInt> row_columns;
 
       std::unique_ptr<LocalBlocks> own; /**< from begin() to end() */
 

@@ -86,7 +86,7 @@ namespace Heddle
 
       /** Append the motions that this term prescribes in the current state. */
       virtual void
-      constrain(const State &, std::vector<BlockSystem::Constraint> &) const
+      constrain(const State &, std::vector<Constraint> &) const
       {
       }
 
