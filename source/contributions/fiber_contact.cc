@@ -1,7 +1,7 @@
 #include <heddle/base/reduce.h>
+#include <heddle/contributions/centerlines.h>
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/interval_pairs.h>
-#include <heddle/contributions/near_fibers.h>
 #include <heddle/contributions/summed_terms.h>
 
 #include <deal.II/base/mpi.h>
@@ -16,16 +16,6 @@ namespace Heddle
   {
     namespace
     {
-      /** Motion after which a fiber is searched anew, in search distances. */
-      constexpr double stale_after = 0.1;
-
-      /**
-       * No step moves a fiber further. Two fibers may both have moved nearly as
-       * far as makes them stale when it begins, and one of them when the pair
-       * was searched because of the other one: they still have not met unseen.
-       */
-      constexpr double longest_step = 0.5 * (1. - 3. * stale_after);
-
       /**
        * Thickness of the softest skin, in radii. A thicker one swells the yarns
        * and lets them repack when it goes: more iterations, not fewer.
@@ -44,12 +34,6 @@ namespace Heddle
        * iterations of the linear solver.
        */
       constexpr double pattern_margin = 0.1;
-
-      /**
-       * Nodes that a rank holds of a foreign fiber beyond those that are near:
-       * new pieces need a new search of all pairs.
-       */
-      constexpr unsigned int spare_nodes = 2;
 
       /** No guess is followed that lays fibers so deep in each other, in radii.
        */
@@ -83,11 +67,10 @@ namespace Heddle
     FiberContact::FiberContact(const System::FiberSpace         &space,
                                const Contact::ContactParameters &parameters)
       : space(space)
-      , parameters(parameters)
       , threshold(parameters.threshold)
       , largest_radius(find_largest_radius(space))
       , filter([](unsigned int, unsigned int) { return true; })
-      , centerlines(space)
+      , fibers(space, largest_radius, parameters.search_distance)
       , cells(parameters.search_distance * largest_radius,
               parameters.refinement,
               [this](const unsigned int a, const unsigned int b) {
@@ -101,8 +84,8 @@ namespace Heddle
     void
     FiberContact::restrict_to(const Contact::ContactCells::Filter &new_filter)
     {
-      filter   = new_filter;
-      searched = false;
+      filter = new_filter;
+      fibers.forget_search();
     }
 
 
@@ -141,7 +124,7 @@ namespace Heddle
     void
     FiberContact::begin_step(System::State &)
     {
-      searched       = false;
+      fibers.forget_search();
       deepest_before = std::numeric_limits<double>::max();
       pattern_pairs.clear();
     }
@@ -151,19 +134,9 @@ namespace Heddle
     void
     FiberContact::update(System::State &state)
     {
-      update_curves(state);
-      const double distance = parameters.search_distance * largest_radius;
-      double       furthest = distance;
-      if (searched)
-        {
-          // Ranks that hold pieces of a fiber only have to decide alike.
-          measure_motion(state);
-          Utilities::MPI::max(
-            std::vector<double>(moved), space.communicator(), moved);
-          furthest = *std::max_element(moved.begin(), moved.end());
-        }
-      if (furthest > stale_after * distance)
-        search(state, stale_after * distance);
+      fibers.set(state);
+      if (fibers.needs_search(state))
+        search(state);
       place_elements(state);
       gather_statistics();
     }
@@ -189,68 +162,20 @@ namespace Heddle
     void
     FiberContact::probe(System::State &state)
     {
-      update_curves(state);
-      measure_motion(state);
+      fibers.set(state);
+      fibers.measure_motion(state);
       place_elements(state);
     }
 
 
 
     void
-    FiberContact::update_curves(const System::State &state)
+    FiberContact::search(System::State &state)
     {
-      centerlines.set(state, state.current());
-      curves.reset(space.n_fibers());
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        if (state.has(f))
-          curves.add({f, space.owns(f), centerlines.curve(f), /*stale=*/false});
-    }
-
-
-
-    void
-    FiberContact::measure_motion(const System::State &state)
-    {
-      // The control points of the cubics bound the motion of the axis.
-      moved.assign(space.n_fibers(), 0.);
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        if (state.has(f))
-          {
-            const double third =
-              space.fiber(f).length / (3. * (space.fiber(f).n_nodes - 1));
-            const auto knots = centerlines.knots(f);
-            for (unsigned int i = knots.first; i < knots.second; ++i)
-              {
-                const Tensor<1, 3> position =
-                  centerlines.positions()[i] - searched_at[2 * i];
-                const Tensor<1, 3> tangent =
-                  third * (centerlines.tangents()[i] - searched_at[2 * i + 1]);
-                moved[f] = std::max({moved[f],
-                                     (position + tangent).norm(),
-                                     (position - tangent).norm()});
-              }
-          }
-    }
-
-
-
-    bool
-    FiberContact::fetch_near_fibers(System::State &state)
-    {
-      if (Utilities::MPI::n_mpi_processes(space.communicator()) == 1)
-        return false;
-      const auto near = find_near_fibers(
-        space,
-        centerlines,
-        largest_radius * (1. + 0.5 * parameters.search_distance));
-      const bool changed = Utilities::MPI::max(holds(state, near) ? 0 : 1,
-                                               space.communicator()) > 0;
-      if (changed)
-        {
-          state.set_ghost_fibers(lengthened(space, near, spare_nodes));
-          pattern_pairs.clear();
-        }
-      return changed;
+      if (fibers.begin_search(state))
+        pattern_pairs.clear();
+      cells.search(fibers.curves(), fibers.moved(), filter);
+      placed = false;
     }
 
 
@@ -277,43 +202,17 @@ namespace Heddle
 
 
     void
-    FiberContact::search(System::State &state, const double stale)
-    {
-      const bool anew = fetch_near_fibers(state) || !searched;
-      update_curves(state);
-      if (anew)
-        {
-          searched_at.resize(2 * centerlines.positions().size());
-          moved.assign(space.n_fibers(), std::numeric_limits<double>::max());
-        }
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        if (state.has(f) && moved[f] > stale)
-          {
-            const auto knots = centerlines.knots(f);
-            for (unsigned int i = knots.first; i < knots.second; ++i)
-              {
-                searched_at[2 * i]     = centerlines.positions()[i];
-                searched_at[2 * i + 1] = centerlines.tangents()[i];
-              }
-            curves.set_stale(f);
-            moved[f] = 0.;
-          }
-      cells.search(curves, moved, filter);
-      searched = true;
-      placed   = false;
-    }
-
-
-
-    void
     FiberContact::place_elements(const System::State &state)
     {
       // The line search often ends where it looked last.
       if (placed && placed_at == state.current())
         return;
       contact_elements.clear();
-      cells.place_elements(
-        curves, moved, threshold, softness * thickest_skin, contact_elements);
+      cells.place_elements(fibers.curves(),
+                           fibers.moved(),
+                           threshold,
+                           softness * thickest_skin,
+                           contact_elements);
       placed    = true;
       placed_at = state.current();
       ++n_placements;
@@ -431,9 +330,9 @@ namespace Heddle
           return;
         }
 
-      pattern_pairs =
-        union_of(cells.near_pairs(curves, pattern_margin * largest_radius),
-                 interval_pairs(space, contact_elements));
+      pattern_pairs = union_of(
+        cells.near_pairs(fibers.curves(), pattern_margin * largest_radius),
+        interval_pairs(space, contact_elements));
       for (const Contact::CandidatePair &pair : pattern_pairs)
         pattern.couple(8, locate_middles(state, pair).data());
     }
@@ -522,46 +421,6 @@ namespace Heddle
 
 
 
-    double
-    FiberContact::largest_step(const System::State     &state,
-                               const System::Increment &increment) const
-    {
-      // Nothing may leave the range within which all pairs are known.
-      double                    largest = 0.;
-      std::vector<Tensor<1, 3>> positions, tangents;
-      const auto                owned = space.owned_fibers();
-      for (unsigned int f = owned.first; f < owned.second; ++f)
-        {
-          positions.resize(space.fiber(f).n_nodes);
-          tangents.resize(space.fiber(f).n_nodes);
-          space.centerline_knots(f,
-                                 space.all_nodes(f),
-                                 increment.data() + state.local_block(f),
-                                 positions.data(),
-                                 tangents.data());
-          const double third =
-            space.fiber(f).length / (3. * (space.fiber(f).n_nodes - 1));
-          for (unsigned int i = 0; i < positions.size(); ++i)
-            largest = std::max({largest,
-                                (positions[i] + third * tangents[i]).norm(),
-                                (positions[i] - third * tangents[i]).norm()});
-
-          // Surfaces move with the vectors of the sections too.
-          if (space.n_blocks_per_node() == 3)
-            for (unsigned int b = 0; b < space.n_blocks(f); ++b)
-              if (b % 3 > 0)
-                largest =
-                  std::max(largest,
-                           space.fiber(f).radius *
-                             increment[state.local_block(f) + b].norm());
-        }
-      const double allowed =
-        longest_step * parameters.search_distance * largest_radius;
-      return allowed / std::max(largest, 1e-300);
-    }
-
-
-
     bool
     FiberContact::is_credible() const
     {
@@ -615,7 +474,7 @@ namespace Heddle
     FiberContact::reject_step(System::State &)
     {
       cells.set_cells(accepted_cells);
-      searched = false;
+      fibers.forget_search();
     }
   } // namespace Contributions
 } // namespace Heddle

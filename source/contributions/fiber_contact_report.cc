@@ -165,7 +165,7 @@ namespace Heddle
       cells.set_cells(saved);
       cells.set_forgiven(penetrations);
       accepted_cells = cells.cells();
-      searched       = false;
+      fibers.forget_search();
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -3,7 +3,7 @@
 
 #include <heddle/contact/contact_cells.h>
 #include <heddle/contact/contact_parameters.h>
-#include <heddle/contributions/centerlines.h>
+#include <heddle/contributions/searched_fibers.h>
 #include <heddle/system/contribution.h>
 
 #include <algorithm>
@@ -20,9 +20,9 @@ namespace Heddle
      * Contact of fibers with each other and with themselves, without friction.
      *
      * Search: candidates within the search distance are grouped into proximity
-     * zones, which are covered with contact cells. That is repeated when the
-     * fibers have moved so far that a pair outside could have come close.
-     * Elements are placed anew in the cells whenever the configuration changes.
+     * zones, which are covered with contact cells. That is repeated when
+     * SearchedFibers are stale. Elements are placed anew in the cells whenever
+     * the configuration changes.
      *
      * Every rank holds the cells of all pairs with one of its own fibers.
      */
@@ -92,7 +92,10 @@ namespace Heddle
 
       double
       largest_step(const System::State     &state,
-                   const System::Increment &increment) const override;
+                   const System::Increment &increment) const override
+      {
+        return fibers.largest_step(state, increment);
+      }
 
       bool
       adapt(const System::State &state) override;
@@ -195,15 +198,7 @@ namespace Heddle
       };
 
       void
-      update_curves(const System::State &state);
-
-      /** Return whether there are others now: knots have other numbers. */
-      bool
-      fetch_near_fibers(System::State &state);
-
-      /** Search what has moved further than @p stale [mm]; at first, all. */
-      void
-      search(System::State &state, const double stale);
+      search(System::State &state);
 
       /** Unless they are already as they have to be. */
       void
@@ -211,10 +206,6 @@ namespace Heddle
 
       void
       gather_statistics();
-
-      /** Find how far each fiber has moved since the search. */
-      void
-      measure_motion(const System::State &state);
 
       /** From the local elasticity of two parallel fibers [N/mm^2]. */
       double
@@ -243,11 +234,10 @@ namespace Heddle
       locate_middles(const System::State          &state,
                      const Contact::CandidatePair &pair) const;
 
-      const System::FiberSpace         &space;
-      const Contact::ContactParameters &parameters;
-      double                            threshold;
-      const double                      largest_radius;
-      double                            softness = 0.;
+      const System::FiberSpace &space;
+      double                    threshold;
+      const double              largest_radius;
+      double                    softness = 0.;
 
       /** Energy that penalties have brought by growing [N mm]. */
       double hardening = 0.;
@@ -257,14 +247,10 @@ namespace Heddle
 
       Contact::ContactCells::Filter filter;
 
-      bool                              searched = false;
-      std::vector<Tensor<1, 3>>         searched_at;
-      std::vector<double>               moved; /**< since then, by fiber [mm] */
-      Centerlines                       centerlines;
-      Contact::CurveList                curves;
-      Contact::ContactCells             cells;
-      std::vector<Contact::ContactCell> accepted_cells;
-      double                            accepted_active = 0.;
+      SearchedFibers                       fibers;
+      Contact::ContactCells                cells;
+      std::vector<Contact::ContactCell>    accepted_cells;
+      double                               accepted_active = 0.;
       std::vector<Contact::ContactElement> contact_elements;
       Statistics                           statistics;
 

@@ -1,0 +1,199 @@
+#include <heddle/contributions/near_fibers.h>
+#include <heddle/contributions/searched_fibers.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    namespace
+    {
+      /** Motion after which a fiber is searched anew, in search distances. */
+      constexpr double stale_after = 0.1;
+
+      /**
+       * No step moves a fiber further. Two fibers may both have moved nearly as
+       * far as makes them stale when it begins, and one of them when the pair
+       * was searched because of the other one: they still have not met unseen.
+       */
+      constexpr double longest_step = 0.5 * (1. - 3. * stale_after);
+
+      /**
+       * Nodes that a rank holds of a foreign fiber beyond those that are near:
+       * new pieces need a new search of all pairs.
+       */
+      constexpr unsigned int spare_nodes = 2;
+
+
+
+      /** A third of an interval between nodes [mm]. */
+      double
+      third_of_interval(const System::Fiber &fiber)
+      {
+        return fiber.length / (3. * (fiber.n_nodes - 1));
+      }
+
+
+
+      /**
+       * How far the axis may move next to a knot that moves by @p position,
+       * while its derivative changes by @p tangent: the control points of the
+       * cubics, @p third of an interval away, bound that.
+       */
+      double
+      bound_of_motion(const Tensor<1, 3> &position,
+                      const Tensor<1, 3> &tangent,
+                      const double        third)
+      {
+        return std::max((position + third * tangent).norm(),
+                        (position - third * tangent).norm());
+      }
+    } // namespace
+
+
+
+    SearchedFibers::SearchedFibers(const System::FiberSpace &space,
+                                   const double              largest_radius,
+                                   const double              search_distance)
+      : space(space)
+      , largest_radius(largest_radius)
+      , search_distance(search_distance)
+      , stale_motion(stale_after * (search_distance * largest_radius))
+      , centerlines(space)
+    {
+    }
+
+
+
+    void
+    SearchedFibers::set(const System::State &state)
+    {
+      centerlines.set(state, state.current());
+      all_curves.reset(space.n_fibers());
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        if (state.has(f))
+          all_curves.add(
+            {f, space.owns(f), centerlines.curve(f), /*stale=*/false});
+    }
+
+
+
+    void
+    SearchedFibers::measure_motion(const System::State &state)
+    {
+      moved_by.assign(space.n_fibers(), 0.);
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        if (state.has(f))
+          {
+            const double third = third_of_interval(space.fiber(f));
+            const auto   knots = centerlines.knots(f);
+            for (unsigned int i = knots.first; i < knots.second; ++i)
+              moved_by[f] =
+                std::max(moved_by[f],
+                         bound_of_motion(
+                           centerlines.positions()[i] - searched_at[2 * i],
+                           centerlines.tangents()[i] - searched_at[2 * i + 1],
+                           third));
+          }
+    }
+
+
+
+    bool
+    SearchedFibers::needs_search(const System::State &state)
+    {
+      if (!searched)
+        return true;
+      // Ranks that hold pieces of a fiber only have to decide alike.
+      measure_motion(state);
+      Utilities::MPI::max(
+        std::vector<double>(moved_by), space.communicator(), moved_by);
+      return *std::max_element(moved_by.begin(), moved_by.end()) > stale_motion;
+    }
+
+
+
+    bool
+    SearchedFibers::fetch_near_fibers(System::State &state)
+    {
+      if (Utilities::MPI::n_mpi_processes(space.communicator()) == 1)
+        return false;
+      const auto near = find_near_fibers(
+        space, centerlines, largest_radius * (1. + 0.5 * search_distance));
+      const bool changed = Utilities::MPI::max(holds(state, near) ? 0 : 1,
+                                               space.communicator()) > 0;
+      if (changed)
+        state.set_ghost_fibers(lengthened(space, near, spare_nodes));
+      return changed;
+    }
+
+
+
+    bool
+    SearchedFibers::begin_search(System::State &state)
+    {
+      const bool changed = fetch_near_fibers(state);
+      set(state);
+      if (changed || !searched)
+        {
+          searched_at.resize(2 * centerlines.positions().size());
+          moved_by.assign(space.n_fibers(), std::numeric_limits<double>::max());
+        }
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        if (state.has(f) && moved_by[f] > stale_motion)
+          {
+            const auto knots = centerlines.knots(f);
+            for (unsigned int i = knots.first; i < knots.second; ++i)
+              {
+                searched_at[2 * i]     = centerlines.positions()[i];
+                searched_at[2 * i + 1] = centerlines.tangents()[i];
+              }
+            all_curves.set_stale(f);
+            moved_by[f] = 0.;
+          }
+      searched = true;
+      return changed;
+    }
+
+
+
+    double
+    SearchedFibers::largest_step(const System::State     &state,
+                                 const System::Increment &increment) const
+    {
+      // Nothing may leave the range within which all pairs are known.
+      double                    largest = 0.;
+      std::vector<Tensor<1, 3>> positions, tangents;
+      const auto                owned = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          positions.resize(space.fiber(f).n_nodes);
+          tangents.resize(space.fiber(f).n_nodes);
+          space.centerline_knots(f,
+                                 space.all_nodes(f),
+                                 increment.data() + state.local_block(f),
+                                 positions.data(),
+                                 tangents.data());
+          const double third = third_of_interval(space.fiber(f));
+          for (unsigned int i = 0; i < positions.size(); ++i)
+            largest = std::max(
+              largest, bound_of_motion(positions[i], tangents[i], third));
+
+          // Surfaces move with the vectors of the sections too.
+          if (space.n_blocks_per_node() == 3)
+            for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+              if (b % 3 > 0)
+                largest =
+                  std::max(largest,
+                           space.fiber(f).radius *
+                             increment[state.local_block(f) + b].norm());
+        }
+      const double allowed = longest_step * search_distance * largest_radius;
+      return allowed / std::max(largest, 1e-300);
+    }
+  } // namespace Contributions
+} // namespace Heddle
