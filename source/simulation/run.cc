@@ -181,7 +181,12 @@ namespace Heddle
       Scene scene(parameters, file.name(), communicator);
       print_sizes(log, scene, parameters);
       if (command_line.task == CommandLine::Task::validate)
-        return;
+        {
+          if (!parameters.restart.initial_configuration.empty())
+            Recorder(scene, parameters, file, directory, timer)
+              .read_initial_configuration();
+          return;
+        }
 
       compute(
         command_line, directory, file, parameters, scene, log, timer, stop);

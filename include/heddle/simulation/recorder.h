@@ -45,7 +45,7 @@ namespace Heddle
         Solver::Predictor           predictor;
       };
 
-      /** The folder must exist. @note Collective. */
+      /** The folder must exist where anything is written. @note Collective. */
       Recorder(Scene               &scene,
                const Parameters    &parameters,
                const ParameterFile &file,
