@@ -65,6 +65,10 @@ def plot_history(directory, folder):
         print("scripts/plot: no history.csv with rows, so no history.png",
               file=sys.stderr)
         return
+    if len(columns["step"][1]) < 2:
+        print("scripts/plot: history.csv has a single row, so no history.png",
+              file=sys.stderr)
+        return
     groups = panels_of(columns)
     step = columns["step"][1]
     stage = columns.get("stage", ("", np.zeros(len(step))))[1]

@@ -2,6 +2,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/base/parameter_file.h>
+#include <heddle/base/settings.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -188,7 +189,7 @@ namespace Heddle
                                        return other.path == entry;
                                      }),
                       entries.end());
-        if (value != declared.usual_value(path, name))
+        if (!same_value(value, declared.usual_value(path, name)))
           entries.push_back({entry, where});
       }
     return entries;

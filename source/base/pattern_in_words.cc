@@ -55,9 +55,9 @@ namespace Heddle
 
 
 
+      /** Of entries of any kind. */
       std::string
-      list(const std::string &element,
-           const std::string &shortest,
+      list(const std::string &shortest,
            const std::string &longest,
            const std::string &separator)
       {
@@ -67,8 +67,7 @@ namespace Heddle
                                      ? ""
                                      : " of length" + range(shortest, longest);
         return "a list" + length + ", separated by \"" +
-               (separator.empty() ? "," : separator) + "\", each " +
-               pattern_in_words(element);
+               (separator.empty() ? "," : separator) + "\"";
       }
     } // namespace PatternInWords
   }   // namespace internal
@@ -100,8 +99,14 @@ namespace Heddle
     if (is("\\[List of <(.*)> of length (\\d+)\\.\\.\\.(\\d+) \\(inclusive\\)"
            "(?: separated by <(.*)>)?\\]",
            parts))
-      return internal::PatternInWords::list(
-        parts[1], parts[2], parts[3], parts[4]);
+      return internal::PatternInWords::list(parts[2], parts[3], parts[4]) +
+             ", each " + pattern_in_words(parts[1]);
+    if (is("\\[Map of <(.*)>:<(.*)> of length (\\d+)\\.\\.\\.(\\d+) "
+           "\\(inclusive\\)(?: separated by <(.*)>)?\\]",
+           parts))
+      return internal::PatternInWords::list(parts[3], parts[4], parts[5]) +
+             ", of pairs \"A: B\", where A is " + pattern_in_words(parts[1]) +
+             " and B is " + pattern_in_words(parts[2]);
     if (is("\\[FileName.*\\]", parts))
       return "the name of a file";
     if (description == "[DirectoryName]")

@@ -1,7 +1,11 @@
 #include <heddle/base/settings.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <locale>
 #include <map>
 #include <sstream>
 
@@ -11,6 +15,20 @@ namespace Heddle
   {
     namespace Settings
     {
+      bool
+      same_number(const std::string &a, const std::string &b)
+      {
+        std::istringstream first(a), second(b);
+        // Whatever the user's language, the decimal point is a point.
+        first.imbue(std::locale::classic());
+        second.imbue(std::locale::classic());
+        double x, y;
+        return first >> x && first.eof() && second >> y && second.eof() &&
+               x == y;
+      }
+
+
+
       /** The values of a text by name. */
       std::map<std::string, std::string>
       read(const std::string &text)
@@ -35,6 +53,20 @@ namespace Heddle
       }
     } // namespace Settings
   }   // namespace internal
+
+
+
+  bool
+  same_value(const std::string &a, const std::string &b)
+  {
+    const auto first  = Utilities::split_string_list(a);
+    const auto second = Utilities::split_string_list(b);
+    return a == b || std::equal(first.begin(),
+                                first.end(),
+                                second.begin(),
+                                second.end(),
+                                internal::Settings::same_number);
+  }
 
 
 
@@ -63,7 +95,7 @@ namespace Heddle
     for (const auto &[name, value] : internal::Settings::read(now))
       {
         const auto other = then.find(name);
-        if (other != then.end() && other->second != value)
+        if (other != then.end() && !same_value(other->second, value))
           changes.push_back(name + " is " +
                             internal::Settings::in_words(value) + ", and was " +
                             internal::Settings::in_words(other->second));

@@ -35,6 +35,11 @@ namespace Heddle
                     "and stress (matrix.pvd), and its links to the fibers, "
                     "with their forces, as points (coupling.pvd). Inactive "
                     "without a matrix [-].");
+      add_parameter("Centerlines",
+                    centerlines,
+                    "Whether to write where the nodes of the fibers are at the "
+                    "end of a stage, as a table that 'Centerlines/File' takes "
+                    "(centerlines.csv); inactive if 'Interval' is 0 [-].");
       add_parameter("Checkpoint interval",
                     checkpoint_interval,
                     "Save the state, for --resume, every so many load steps, "

@@ -3,6 +3,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <array>
+#include <limits>
+#include <sstream>
 
 namespace Heddle
 {
@@ -68,6 +70,23 @@ namespace Heddle
             begin += n_points;
           }
       return lines;
+    }
+
+
+
+    std::string
+    centerlines_csv(const System::State &state)
+    {
+      const auto         lines = gather_centerlines(state, /*n_pieces=*/1);
+      std::ostringstream out;
+      out.precision(std::numeric_limits<double>::max_digits10);
+      out << "fiber,x,y,z,radius,set\n";
+      for (unsigned int f = 0; f < lines.size(); ++f)
+        for (const Tensor<1, 3> &node : lines[f])
+          out << f << ',' << node[0] << ',' << node[1] << ',' << node[2] << ','
+              << state.space.fiber(f).radius << ',' << state.space.fiber(f).set
+              << '\n';
+      return out.str();
     }
   } // namespace Post
 } // namespace Heddle

@@ -11,10 +11,10 @@ namespace Heddle
       add_parameter("File",
                     file,
                     "Comma-separated values with the columns "
-                    "fiber,x,y,z[,radius][,set], one line per point; as seen "
-                    "from the folder of the parameter file. Inactive unless "
-                    "Run/Scene is 'centerlines', like all of this section "
-                    "[-].");
+                    "fiber,x,y,z[,radius][,set], one line per point, such as "
+                    "the centerlines.csv of another run; as seen from the "
+                    "folder of the parameter file. Inactive unless Run/Scene "
+                    "is 'centerlines', like all of this section [-].");
       add_parameter("Element length",
                     entries.element_length,
                     "Every fiber gets the number of equal elements whose "

@@ -1,3 +1,4 @@
+#include <heddle/base/settings.h>
 #include <heddle/simulation/inactive_parameters.h>
 
 #include <deal.II/base/utilities.h>
@@ -140,9 +141,11 @@ namespace Heddle
       for (const Condition &condition : all_conditions(file))
         {
           const std::string value  = value_of(condition.depends_on);
-          const bool        listed = std::find(condition.values.begin(),
-                                        condition.values.end(),
-                                        value) != condition.values.end();
+          const bool        listed = std::any_of(condition.values.begin(),
+                                          condition.values.end(),
+                                          [&value](const std::string &one) {
+                                            return same_value(one, value);
+                                          });
           if (listed != condition.but_these)
             continue;
 

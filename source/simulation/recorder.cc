@@ -1,6 +1,7 @@
 #include <heddle/base/file.h>
 #include <heddle/base/version.h>
 #include <heddle/io/collection.h>
+#include <heddle/post/centerline.h>
 #include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
@@ -101,9 +102,13 @@ namespace Heddle
       open_outputs(place.number == 0 ? 0 : place.number + 1);
       if (place.number == 0)
         write_pictures(place, "start");
-      // What is measured at the end of a stage is in no checkpoint.
-      if (scene.weave() && place.stepping->finished())
-        measure_fabric(summary.stages[place.stage], /*last=*/true);
+      // What is written at the end of a stage is in no checkpoint.
+      if (place.stepping->finished())
+        {
+          if (scene.weave())
+            measure_fabric(summary.stages[place.stage], /*last=*/true);
+          write_centerlines();
+        }
       write_summary();
     }
 
@@ -119,7 +124,7 @@ namespace Heddle
       std::error_code   none_there;
       if (given.empty() || !files::equivalent(own, given, none_there))
         files::remove(own);
-      for (const std::string name : {"history.csv", "yarns.csv"})
+      for (const std::string name : {"history.csv", "yarns.csv", centerlines})
         files::remove(directory + "/" + name);
       for (const std::string name :
            {"fibers", "contacts", "matrix", "coupling"})
@@ -201,7 +206,10 @@ namespace Heddle
           summary.stages[place.stage].last_output = place.number;
         }
       if (last)
-        summary.stages[place.stage].status = "converged";
+        {
+          summary.stages[place.stage].status = "converged";
+          write_centerlines();
+        }
       // Once there is a checkpoint, a run may go on from this configuration.
       if (last && scene.ends_initially(place.stage))
         write_checkpoint(place, directory + "/" + initial_configuration);
@@ -263,6 +271,18 @@ namespace Heddle
         return;
       summary.results = fabric.results(n);
       write_file(directory + "/yarns.csv", fabric.yarns_csv(n));
+    }
+
+
+
+    void
+    Recorder::write_centerlines() const
+    {
+      if (parameters.output.interval == 0 || !parameters.output.centerlines)
+        return;
+      const std::string table = Post::centerlines_csv(scene.state());
+      if (first_rank)
+        write_file(directory + "/" + centerlines, table);
     }
 
 

@@ -112,9 +112,24 @@ namespace Heddle
 
 
 
+      /** What is removed or written over must not be what the run reads. */
+      void
+      spare_centerlines(const std::string &given, const std::string &directory)
+      {
+        const std::string own = directory + "/" + Recorder::centerlines;
+        std::error_code   none_there;
+        require(!std::filesystem::equivalent(own, given, none_there),
+                "Centerlines/File is \"" + own +
+                  "\", where this run leaves its own; give it another name, "
+                  "or write to another folder.");
+      }
+
+
+
       /** Compute the scene and leave the results in its folder. */
       void
       compute(const CommandLine   &command_line,
+              const std::string   &directory,
               const ParameterFile &file,
               const Parameters    &parameters,
               Scene               &scene,
@@ -122,8 +137,6 @@ namespace Heddle
               SectionTimer        &timer,
               StopRequest         &stop)
       {
-        const std::string directory =
-          output_directory(command_line, parameters.run);
         if (command_line.resume)
           IO::Checkpoint::last(directory);
         create_folder(directory);
@@ -161,12 +174,22 @@ namespace Heddle
       parameters.check(file);
       for (const std::string &sentence : inactive_parameters(file))
         log << "Note           " << sentence << std::endl;
+      const std::string directory =
+        output_directory(command_line, parameters.run);
+      spare_centerlines(relative_to(file.name(), parameters.centerlines.file),
+                        directory);
       Scene scene(parameters, file.name(), communicator);
       print_sizes(log, scene, parameters);
       if (command_line.task == CommandLine::Task::validate)
-        return;
+        {
+          if (!parameters.restart.initial_configuration.empty())
+            Recorder(scene, parameters, file, directory, timer)
+              .read_initial_configuration();
+          return;
+        }
 
-      compute(command_line, file, parameters, scene, log, timer, stop);
+      compute(
+        command_line, directory, file, parameters, scene, log, timer, stop);
     }
   } // namespace Simulation
 } // namespace Heddle

@@ -34,5 +34,7 @@ main()
   say(Patterns::FileName());
   say(Patterns::DirectoryName());
   say(Patterns::Anything());
-  say(Patterns::Map(Patterns::Integer(), Patterns::Bool()));
+  say(Patterns::Map(Patterns::Anything(), Patterns::Double(0., 2.)));
+  say(Patterns::Map(Patterns::Integer(1), Patterns::Bool(), 1, 2, ";"));
+  say(Patterns::Map(Patterns::Integer(), Patterns::Bool(), 1, 2, ",", "="));
 }

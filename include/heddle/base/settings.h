@@ -11,6 +11,13 @@ namespace Heddle
   using namespace dealii;
 
   /**
+   * Return whether two texts are the same value: numbers, and the entries of
+   * lists of them, are compared as numbers, so that 0.0 is 0.
+   */
+  bool
+  same_value(const std::string &a, const std::string &b);
+
+  /**
    * Return all values in force, one "Section/Name=value" in a line, as the
    * command line takes them.
    */

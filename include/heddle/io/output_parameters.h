@@ -31,6 +31,7 @@ namespace Heddle
       bool         fibers              = true;
       bool         contacts            = true;
       bool         matrix              = true;
+      bool         centerlines         = true;
       unsigned int interval            = 1;
       unsigned int subdivisions        = 2;
       unsigned int checkpoint_interval = 1;

@@ -4,6 +4,7 @@
 #include <heddle/base/polyline.h>
 #include <heddle/system/state.h>
 
+#include <string>
 #include <vector>
 
 namespace Heddle
@@ -29,6 +30,14 @@ namespace Heddle
      */
     std::vector<Polyline>
     gather_centerlines(const System::State &state, const unsigned int n_pieces);
+
+    /**
+     * Return the nodes of all fibers, to the last digit, as the table that
+     * Textile::read_paths() takes; on other ranks than 0 without any lines.
+     * @note Collective.
+     */
+    std::string
+    centerlines_csv(const System::State &state);
   } // namespace Post
 } // namespace Heddle
 

@@ -23,8 +23,8 @@ namespace Heddle
   {
     /**
      * Keeps and writes what a run leaves behind: summary, history, pictures of
-     * fibers and contacts, yarn sections, checkpoints. What is not asked for
-     * is not computed.
+     * fibers and contacts, yarn sections, centerlines, checkpoints. What is not
+     * asked for is not computed.
      */
     class Recorder
     {
@@ -32,6 +32,9 @@ namespace Heddle
       /** Where the end of the stages without loads is kept, in the folder. */
       static constexpr const char *initial_configuration =
         "initial_configuration.h5";
+
+      /** Where the fibers are at the end of a stage, in the folder. */
+      static constexpr const char *centerlines = "centerlines.csv";
 
       /** Where the run stands. */
       struct Place
@@ -42,7 +45,7 @@ namespace Heddle
         Solver::Predictor           predictor;
       };
 
-      /** The folder must exist. @note Collective. */
+      /** The folder must exist where anything is written. @note Collective. */
       Recorder(Scene               &scene,
                const Parameters    &parameters,
                const ParameterFile &file,
@@ -149,6 +152,10 @@ namespace Heddle
 
       void
       measure_fabric(IO::StageSummary &stage, const bool last);
+
+      /** If it is asked for. @note Collective. */
+      void
+      write_centerlines() const;
 
       void
       update_times();
