@@ -38,6 +38,30 @@ namespace Heddle
 
 
 
+      /**
+       * What a motion of one makes of the surface of a fiber [mm, or mm per
+       * unit], for the components of owned blocks: sections turn about the
+       * centerline, and with its nodes, or those of a matrix, it goes along.
+       */
+      void
+      set_levers(const System::State &state, Vec levers)
+      {
+        const System::FiberSpace &space = state.space;
+        petsc(VecSet(levers, 1.));
+        double *values;
+        petsc(VecGetArray(levers, &values));
+        const auto owned = space.owned_fibers();
+        for (unsigned int f = owned.first; f < owned.second; ++f)
+          for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+            if (b % space.n_blocks_per_node() != 0)
+              std::fill_n(values + 3 * (state.local_block(f) + b),
+                          3,
+                          space.fiber(f).radius);
+        petsc(VecRestoreArray(levers, &values));
+      }
+
+
+
       bool
       choose_direct(const LinearSolverParameters &parameters,
                     const System::BlockSystem    &system,
@@ -141,12 +165,20 @@ namespace Heddle
       petsc(KSPSetType(improving, KSPGMRES));
       petsc(KSPGMRESSetRestart(improving, n_kept));
       petsc(KSPSetInitialGuessNonzero(improving, PETSC_TRUE));
+      petsc(KSPConvergedDefaultSetUIRNorm(improving));
       petsc(KSPSetTolerances(improving,
-                             stricter * tolerance,
+                             tolerance,
                              PETSC_DEFAULT,
                              PETSC_DEFAULT,
                              parameters.max_iterations));
       preconditioner->attach_to(pc);
+
+      // It goes by motions, which have to be in one unit.
+      Vec levers;
+      petsc(VecDuplicate(system.solution(), &levers));
+      set_levers(system.state, levers);
+      petsc(PCSetDiagonalScale(pc, levers));
+      petsc(VecDestroy(&levers));
     }
 
 
@@ -190,10 +222,14 @@ namespace Heddle
       const bool converged =
         run(iterating, std::min(looser * tolerance, loosest), result);
       gentle = gentle || !converged;
-      if (!system.has_unsymmetric_terms() || part_left() <= good_enough)
+      if (!system.has_unsymmetric_terms())
+        return converged;
+      const double left = part_left();
+      if (left <= good_enough)
         return converged;
       petsc(KSPSetOperators(improving, whole.matrix(), system.tangent()));
-      return run(improving, stricter * tolerance, result);
+      return run(
+        improving, stricter * tolerance / std::max(good_enough, left), result);
     }
 
 
