@@ -22,7 +22,7 @@ namespace Heddle
        * little slips, and often not where bundles slide over each other
        * (doc/benchmarks.md).
        */
-      constexpr double good_enough = 0.4;
+      constexpr double good_enough = 0.2;
 
       /**
        * Tolerance of GMRES, which goes by the motion that the residual makes
@@ -222,11 +222,15 @@ namespace Heddle
       const bool converged =
         run(iterating, std::min(looser * tolerance, loosest), result);
       gentle = gentle || !converged;
+      last   = iterating;
       if (!system.has_unsymmetric_terms())
         return converged;
-      const double left = part_left();
+      PC pc;
+      petsc(KSPGetPC(iterating, &pc));
+      const double left = part_left(pc);
       if (left <= good_enough)
         return converged;
+      result.unsymmetric = true;
       petsc(KSPSetOperators(improving, whole.matrix(), system.tangent()));
       return run(
         improving, stricter * tolerance / std::max(good_enough, left), result);
@@ -253,26 +257,45 @@ namespace Heddle
 
 
     double
-    LinearSolver::part_left() const
+    LinearSolver::energy(PC preconditioner, Vec forces) const
     {
-      PC pc;
-      petsc(KSPGetPC(iterating, &pc));
-      Vec left, motion;
+      Vec motion;
+      petsc(VecDuplicate(forces, &motion));
+      double value;
+      petsc(PCApply(preconditioner, forces, motion));
+      petsc(VecDot(forces, motion, &value));
+      petsc(VecDestroy(&motion));
+      return value;
+    }
+
+
+
+    double
+    LinearSolver::part_left(PC preconditioner) const
+    {
+      Vec left;
       petsc(VecDuplicate(system.solution(), &left));
-      petsc(VecDuplicate(system.solution(), &motion));
-      const auto energy = [&](Vec residual) {
-        double value;
-        petsc(PCApply(pc, residual, motion));
-        petsc(VecDot(residual, motion, &value));
-        return value;
-      };
       petsc(MatMult(whole.matrix(), system.solution(), left));
       petsc(VecAYPX(left, -1., system.right_hand_side()));
-      const double after  = energy(left),
-                   before = energy(system.right_hand_side());
+      const double after  = energy(preconditioner, left),
+                   before = energy(preconditioner, system.right_hand_side());
       petsc(VecDestroy(&left));
-      petsc(VecDestroy(&motion));
       return std::sqrt(after / before);
+    }
+
+
+
+    double
+    LinearSolver::energy_of_residual() const
+    {
+      Vec residual;
+      petsc(VecDuplicate(system.solution(), &residual));
+      system.get_unbalanced(residual);
+      PC pc;
+      petsc(KSPGetPC(last, &pc));
+      const double value = energy(pc, residual);
+      petsc(VecDestroy(&residual));
+      return value;
     }
 
 
@@ -316,8 +339,16 @@ namespace Heddle
         // factorization for done: it has to begin with the analysis.
         petsc(PCReset(pc));
       else
-        petsc(
-          KSPSolve(factorizing, system.right_hand_side(), system.solution()));
+        {
+          last = factorizing;
+          if (unsymmetric)
+            {
+              petsc(PCApply(pc, system.right_hand_side(), system.solution()));
+              result.unsymmetric = part_left(pc) > good_enough;
+            }
+          petsc(
+            KSPSolve(factorizing, system.right_hand_side(), system.solution()));
+        }
     }
   } // namespace Solver
 } // namespace Heddle

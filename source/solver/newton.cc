@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/solver/force_search.h>
 #include <heddle/solver/newton.h>
 
 #include <deal.II/base/mpi.h>
@@ -241,7 +242,7 @@ namespace Heddle
               adapted_at = iteration;
             }
 
-          bool singular = false;
+          LinearResult linear;
           {
             SectionTimer::Scope scope(timer, "linear solver");
             if (rough)
@@ -254,21 +255,20 @@ namespace Heddle
             // in as many (doc/benchmarks.md).
             const bool on_the_way =
               rough && (softness > 0. || aim == Aim::calm);
-            const LinearResult linear = linear_solver->solve(
+            linear = linear_solver->solve(
               !rough,
               !on_the_way,
               aim == Aim::calm ? looser_before_friction : 1.);
-            singular = linear.singular;
             result.linear_iterations += linear.iterations;
             result.factorizations += linear.factorizations;
             block_system->extract_increment(increment);
           }
 
           // Chance makes a tangent that is not positive definite singular.
-          if (singular && rough && damping->raise())
+          if (linear.singular && rough && damping->raise())
             continue;
           const double motion = largest_motion(state, increment);
-          if (singular || !std::isfinite(motion))
+          if (linear.singular || !std::isfinite(motion))
             {
               result.obstacle = "the linear system is singular: a fiber may be "
                                 "free to move without resistance";
@@ -280,8 +280,10 @@ namespace Heddle
             rough && LineSearch::driven_by_forces(*block_system, increment);
 
           // A tangent that is not positive definite may lead uphill, away from
-          // equilibrium: fibers are held back until it does not.
-          if (search && LineSearch::slope(*block_system, increment) > 0. &&
+          // equilibrium: fibers are held back until it does not. What is far
+          // from symmetric has no energy.
+          if (search && !linear.unsymmetric &&
+              LineSearch::slope(*block_system, increment) > 0. &&
               damping->raise())
             {
               result.increment = motion;
@@ -291,8 +293,12 @@ namespace Heddle
           const bool   in_place = residual.pending <= reached * length_scale;
           const double longest =
             in_place ? std::max(1., longest_stretched_motion / motion) : 1.;
-          const double taken =
-            step_length(state, contributions, increment, longest, search);
+          const double taken = step_length(state,
+                                           contributions,
+                                           increment,
+                                           longest,
+                                           search,
+                                           linear.unsymmetric);
           if (rough)
             damping->adapt(state, increment, taken, length_scale);
           for (Tensor<1, 3> &motion_of_block : increment)
@@ -359,7 +365,8 @@ namespace Heddle
                         const Contributions     &contributions,
                         const System::Increment &increment,
                         const double             longest,
-                        const bool               search)
+                        const bool               search,
+                        const bool               unsymmetric)
     {
       SectionTimer::Scope scope(timer, "line search");
       double              largest = std::numeric_limits<double>::max();
@@ -369,6 +376,17 @@ namespace Heddle
       largest = Utilities::MPI::min(largest, communicator);
       if (!search)
         return std::min(1., largest);
+      if (unsymmetric)
+        {
+          const double part = step_to_balance(state,
+                                              contributions,
+                                              *block_system,
+                                              *linear_solver,
+                                              increment,
+                                              largest);
+          if (part > 0.)
+            return part;
+        }
 
       const double held =
         Utilities::MPI::sum(damping->curvature(state, increment), communicator);

@@ -41,6 +41,20 @@ namespace Heddle
 
 
 
+      /** Write the values of owned blocks into a vector. */
+      void
+      fill(Vec vector, const std::vector<Tensor<1, 3>> &of_blocks)
+      {
+        double *values;
+        petsc(VecGetArray(vector, &values));
+        for (unsigned int b = 0; b < of_blocks.size(); ++b)
+          for (unsigned int d = 0; d < 3; ++d)
+            values[3 * b + d] = of_blocks[b][d];
+        petsc(VecRestoreArray(vector, &values));
+      }
+
+
+
       /**
        * Largest number of blocks of one term: a point of a fiber in a
        * hexahedron of degree 2, four and 27.
@@ -311,13 +325,7 @@ namespace Heddle
       for (unsigned int b = 0; b < balancing.size(); ++b)
         balancing[b] = -balancing[b] - lifting[b];
       prescribed.clear_fixed(balancing);
-
-      double *values;
-      petsc(VecGetArray(rhs, &values));
-      for (unsigned int b = 0; b < balancing.size(); ++b)
-        for (unsigned int d = 0; d < 3; ++d)
-          values[3 * b + d] = balancing[b][d];
-      petsc(VecRestoreArray(rhs, &values));
+      fill(rhs, balancing);
     }
 
 
@@ -387,6 +395,17 @@ namespace Heddle
       prescribed.turn_into_frames(values);
       prescribed.clear_fixed(values);
       prescribed.turn_out_of_frames(values);
+    }
+
+
+
+    void
+    BlockSystem::get_unbalanced(Vec values) const
+    {
+      std::vector<Tensor<1, 3>> of_blocks = forces;
+      prescribed.turn_into_frames(of_blocks);
+      prescribed.clear_fixed(of_blocks);
+      fill(values, of_blocks);
     }
 
 

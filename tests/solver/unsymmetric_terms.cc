@@ -2,7 +2,7 @@
 // constraints in frames of their own, some of which prescribe a motion, the
 // factorization finds what LU finds of one matrix that has all of it. So does
 // GMRES where the terms are strong; where they are so weak that conjugate
-// gradients leave no more than 0.4 of the right-hand side in the energy
+// gradients leave no more than 0.2 of the right-hand side in the energy
 // norm, these are left alone.
 #include <heddle/solver/linear_solver.h>
 

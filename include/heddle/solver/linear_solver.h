@@ -49,6 +49,7 @@ namespace Heddle
       unsigned int iterations     = 0; /**< of an iterative solver */
       unsigned int factorizations = 0;
       bool         singular       = false; /**< then there is no solution */
+      bool         unsymmetric    = false; /**< far from symmetric */
     };
 
     /**
@@ -89,6 +90,15 @@ namespace Heddle
             const bool   yarn_motions = true,
             const double looser       = 1.);
 
+      /**
+       * Energy of the unbalanced forces of the system as last assembled: what
+       * they do [N mm] along the motion that the preconditioner, or the
+       * factorization, of the last solution makes of them.
+       * @note Collective.
+       */
+      double
+      energy_of_residual() const;
+
     private:
       void
       begin_iterating();
@@ -103,10 +113,15 @@ namespace Heddle
       bool
       run(KSP solver, const double tolerance, LinearResult &result);
 
-      /** What the solution leaves of the right-hand side, in the energy norm.
-       */
+      /** What @p forces do along the motion that @p preconditioner makes of
+       * them. */
       double
-      part_left() const;
+      energy(PC preconditioner, Vec forces) const;
+
+      /** What the solution leaves of the right-hand side, in the energy norm of
+       * @p preconditioner. */
+      double
+      part_left(PC preconditioner) const;
 
       void
       factorize(LinearResult &result);
@@ -117,6 +132,7 @@ namespace Heddle
       KSP                                  iterating   = nullptr;
       KSP                                  improving   = nullptr;
       KSP                                  factorizing = nullptr;
+      KSP                                  last        = nullptr;
       double                               tolerance   = 0.; /**< usual [-] */
       std::unique_ptr<BlockPreconditioner> preconditioner;
 

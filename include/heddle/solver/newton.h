@@ -142,14 +142,16 @@ namespace Heddle
 
       /**
        * The part of @p increment that may be taken, and is of use: no more than
-       * @p longest.
+       * @p longest. It is the solution of a symmetric system or of one that is
+       * far from it.
        */
       double
       step_length(System::State           &state,
                   const Contributions     &contributions,
                   const System::Increment &increment,
                   const double             longest,
-                  const bool               search);
+                  const bool               search,
+                  const bool               unsymmetric);
 
       double
       largest_motion(const System::State     &state,

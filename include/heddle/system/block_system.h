@@ -197,6 +197,10 @@ namespace Heddle
       void
       unbalanced(std::vector<Tensor<1, 3>> &values) const;
 
+      /** The same in the layout of the tangent and in its frames. */
+      void
+      get_unbalanced(Vec values) const;
+
       /**
        * The matrix of the tangent, n_dofs x n_dofs, SBAIJ or BAIJ of block size
        * 3.
