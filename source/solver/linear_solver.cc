@@ -25,6 +25,13 @@ namespace Heddle
       constexpr double good_enough = 0.2;
 
       /**
+       * Far from symmetric is a system of which they leave as much as this. The
+       * preconditioner overrates what is left: where the matrix is factorized
+       * good_enough is the limit (doc/benchmarks.md).
+       */
+      constexpr double no_use = 0.9;
+
+      /**
        * Tolerance of GMRES, which goes by the motion that the residual makes
        * and not by its energy, over that of conjugate gradients.
        */
@@ -230,7 +237,7 @@ namespace Heddle
       const double left = part_left(pc);
       if (left <= good_enough)
         return converged;
-      result.unsymmetric = true;
+      result.unsymmetric = left > no_use;
       petsc(KSPSetOperators(improving, whole.matrix(), system.tangent()));
       return run(
         improving, stricter * tolerance / std::max(good_enough, left), result);
