@@ -3,8 +3,8 @@
 // five of a line without a spin about itself when it is straight; from a curved
 // reference nothing resists turning the plane of the curvature, and as many
 // modes cost energy as there are strains, that of a shared node counted once.
+#include "../eigenmodes.h"
 #include "random_element.h"
-#include <Eigen/Eigenvalues>
 
 using State = std::vector<Tensor<1, 3>>;
 
@@ -32,7 +32,7 @@ add_node(const double s, const double kappa, const bool sections, State &blocks)
 
 
 /** Eigenvalues of the tangent of a fiber of elements, smallest first. */
-Eigen::VectorXd
+Vector<double>
 eigenvalues(const Kind               &kind,
             const std::vector<double> lengths,
             const double              kappa)
@@ -44,9 +44,9 @@ eigenvalues(const Kind               &kind,
   const unsigned int n         = one.n_unknowns();
   const unsigned int n_fiber = 3 * per_node * (intervals * lengths.size() + 1);
 
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n_fiber, n_fiber);
-  double          start  = 0.;
-  unsigned int    first  = 0;
+  LAPACKFullMatrix<double> matrix(n_fiber);
+  double                   start = 0.;
+  unsigned int             first = 0;
   for (const double length : lengths)
     {
       State blocks;
@@ -67,7 +67,7 @@ eigenvalues(const Kind               &kind,
       start += length;
       first += 3 * per_node * intervals;
     }
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
+  return eigenmodes(matrix).first;
 }
 
 
@@ -81,9 +81,9 @@ main()
       for (const auto &lengths :
            {std::vector<double>{1.}, std::vector<double>{1., .6}})
         {
-          const Eigen::VectorXd values = eigenvalues(kind, lengths, kappa);
-          const double          large  = values(values.size() - 1);
-          unsigned int          zero   = 0;
+          const Vector<double> values = eigenvalues(kind, lengths, kappa);
+          const double         large  = values(values.size() - 1);
+          unsigned int         zero   = 0;
           while (values(zero) < 1e-12 * large)
             ++zero;
           deallog << kind.name << ' ' << kind.degree << ", curvature " << kappa

@@ -7,7 +7,7 @@
 #include <heddle/solver/fiber_blocks.h>
 
 #include "../contributions/scene.h"
-#include <Eigen/Dense>
+#include "../eigenmodes.h"
 
 #include <numeric>
 #include <random>
@@ -90,12 +90,12 @@ public:
   }
 
   /** Rows and columns of one fiber. */
-  Eigen::MatrixXd
+  LAPACKFullMatrix<double>
   part(const unsigned int f) const
   {
     const unsigned int n     = 3 * space->n_blocks(f),
                        begin = 3 * state->local_block(f);
-    Eigen::MatrixXd matrix(n, n);
+    LAPACKFullMatrix<double> matrix(n);
     for (unsigned int j = 0; j < n; ++j)
       {
         Vec unit = system->solution(), column = system->right_hand_side();
@@ -106,7 +106,7 @@ public:
         petsc(MatMult(system->tangent(), unit, column));
         const double *entries;
         petsc(VecGetArrayRead(column, &entries));
-        std::copy_n(entries + begin, n, matrix.col(j).data());
+        std::copy_n(entries + begin, n, &matrix(0, j));
         petsc(VecRestoreArrayRead(column, &entries));
       }
     return matrix;
@@ -153,20 +153,47 @@ private:
 
 
 
+Vector<double>
+random_vector(const unsigned int n, std::mt19937 &generator)
+{
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  Vector<double>                         vector(n);
+  for (double &component : vector)
+    component = uniform(generator);
+  return vector;
+}
+
+
+
+/** What fiber @p f answers to @p right, on it alone. */
+Vector<double>
+solve(const Solver::FiberBlocks &fibers,
+      const System::State       &state,
+      const unsigned int         f,
+      const Vector<double>      &right)
+{
+  const unsigned int  begin = 3 * state.local_block(f);
+  std::vector<double> whole(3 * state.n_owned_blocks()), found(whole.size());
+  std::copy(right.begin(), right.end(), whole.begin() + begin);
+  petsc(fibers.apply(whole.data(), found.data()));
+  Vector<double> answer(right.size());
+  std::copy_n(found.begin() + begin, right.size(), answer.begin());
+  return answer;
+}
+
+
+
 /** Largest error of the solution of a fiber for a random right-hand side. */
 double
-error(const Eigen::MatrixXd     &matrix,
-      const Solver::FiberBlocks &fibers,
-      const System::State       &state,
-      const unsigned int         f)
+error(Tangent &tangent, const Solver::FiberBlocks &fibers, const unsigned int f)
 {
-  const unsigned int    begin = 3 * state.local_block(f);
-  const Eigen::VectorXd exact = Eigen::VectorXd::Random(matrix.rows());
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(3 * state.n_owned_blocks());
-  Eigen::VectorXd found(right.size());
-  right.segment(begin, exact.size()) = matrix * exact;
-  petsc(fibers.apply(right.data(), found.data()));
-  return (found.segment(begin, exact.size()) - exact).cwiseAbs().maxCoeff();
+  const auto           matrix = tangent.part(f);
+  const Vector<double> exact  = random_vector(matrix.m(), tangent.generator);
+  Vector<double>       right(exact.size());
+  matrix.vmult(right, exact);
+  Vector<double> found = solve(fibers, *tangent.state, f, right);
+  found -= exact;
+  return found.linfty_norm();
 }
 
 
@@ -187,34 +214,30 @@ check(const std::string &element,
       double largest = 0.;
       for (unsigned int f = 0; f < n_fibers; ++f)
         if (f != unstable || less == 0.)
-          largest = std::max(largest,
-                             error(tangent.part(f), fibers, *tangent.state, f));
+          largest = std::max(largest, error(tangent, fibers, f));
       deallog << n_fibers << " of " << element << " " << degree
               << (contact ? ", contact" : "")
               << ": exact to 1e-9: " << (largest < 1e-9);
       if (less > 0.)
         {
-          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-            tangent.part(unstable));
-          bool stable = true;
+          const auto [stiffnesses, modes] = eigenmodes(tangent.part(unstable));
+          const unsigned int n            = stiffnesses.size();
+          bool               stable       = true;
           for (unsigned int i = 0; i < 200; ++i)
             {
               if (i == 100)
                 fibers.set_up(System::LocalBlocks(tangent.system->tangent()),
                               /*gentle=*/true);
-              Eigen::VectorXd right =
-                Eigen::VectorXd::Zero(3 * tangent.state->n_owned_blocks());
-              Eigen::VectorXd found(right.size());
-              const auto      n = modes.eigenvalues().size();
-              right.segment(3 * tangent.state->local_block(unstable), n) =
-                i % 100 < n ? Eigen::VectorXd(modes.eigenvectors().col(i % 100))
-                            : Eigen::VectorXd::Random(n);
-              petsc(fibers.apply(right.data(), found.data()));
-              stable = stable && right.dot(found) > 0.;
+              Vector<double> right = random_vector(n, tangent.generator);
+              if (i % 100 < n)
+                for (unsigned int j = 0; j < n; ++j)
+                  right(j) = modes(j, i % 100);
+              stable =
+                stable &&
+                right * solve(fibers, *tangent.state, unstable, right) > 0.;
             }
           deallog << ", one fiber has modes of negative stiffness: "
-                  << (modes.eigenvalues()[0] < 0.)
-                  << ", is made stable: " << stable;
+                  << (stiffnesses(0) < 0.) << ", is made stable: " << stable;
         }
       deallog << std::endl;
     }
