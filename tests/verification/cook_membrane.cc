@@ -97,6 +97,7 @@ public:
     handler.distribute_dofs(element);
     set_up_system();
     set_up_load();
+    set_up_cells();
   }
 
 
@@ -193,6 +194,51 @@ private:
 
 
 
+  /** What an assembly needs of a cell. */
+  struct Cell
+  {
+    std::vector<types::global_dof_index> dofs; /**< node by node */
+    std::vector<Point<3>> positions;           /**< of nodes, without load */
+    std::vector<double>   gradients, weights;
+  };
+
+
+
+  /** Cells keep their geometry: Debug would spend most of its time on it. */
+  void
+  set_up_cells()
+  {
+    const unsigned int n = element.n_dofs_per_cell(), n_nodes = n / 3;
+    FEValues<3>        values(
+      element, quadrature, update_gradients | update_JxW_values);
+    const auto points = element.base_element(0).get_unit_support_points();
+    const MappingQ1<3>                   mapping;
+    std::vector<types::global_dof_index> dofs(n);
+    for (const auto &cell : handler.active_cell_iterators())
+      {
+        values.reinit(cell);
+        cell->get_dof_indices(dofs);
+        Cell one{dofs, {}, std::vector<double>(n * quadrature.size()), {}};
+        one.weights = values.get_JxW_values();
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const auto component = element.system_to_component_index(i);
+            one.dofs[3 * component.second + component.first] = dofs[i];
+            if (component.first == 0)
+              for (unsigned int q = 0; q < quadrature.size(); ++q)
+                for (unsigned int d = 0; d < 3; ++d)
+                  one.gradients[(q * n_nodes + component.second) * 3 + d] =
+                    values.shape_grad(i, q)[d];
+          }
+        for (const Point<3> &point : points)
+          one.positions.push_back(
+            mapping.transform_unit_to_real_cell(cell, point));
+        cells.push_back(one);
+      }
+  }
+
+
+
   /**
    * Add forces of the cells to @p residual and fill the matrix; return false,
    * the residual as it was, if there is no energy.
@@ -200,42 +246,22 @@ private:
   bool
   assemble(Vector<double> &residual)
   {
-    const unsigned int n = element.n_dofs_per_cell(), n_nodes = n / 3;
-    FEValues<3>        values(
-      element, quadrature, update_gradients | update_JxW_values);
-    std::vector<double>                  gradients(n * quadrature.size());
-    std::vector<Tensor<1, 3>>            positions(n_nodes);
-    std::vector<double>                  forces(n), stiffness(n * n);
-    std::vector<types::global_dof_index> dofs(n), sorted(n);
-    FullMatrix<double>                   cell_matrix(n, n);
-    Vector<double>                       cell_residual(n);
-    const auto points = element.base_element(0).get_unit_support_points();
-    const MappingQ1<3> mapping;
+    const unsigned int        n = element.n_dofs_per_cell(), n_nodes = n / 3;
+    std::vector<Tensor<1, 3>> positions(n_nodes);
+    std::vector<double>       forces(n), stiffness(n * n);
+    FullMatrix<double>        cell_matrix(n, n);
+    Vector<double>            cell_residual(n);
 
     const Vector<double> before(residual);
     matrix = 0.;
-    for (const auto &cell : handler.active_cell_iterators())
+    for (const Cell &cell : cells)
       {
-        values.reinit(cell);
-        cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const auto component = element.system_to_component_index(i);
-            sorted[3 * component.second + component.first] = dofs[i];
-            if (component.first == 0)
-              for (unsigned int q = 0; q < quadrature.size(); ++q)
-                for (unsigned int d = 0; d < 3; ++d)
-                  gradients[(q * n_nodes + component.second) * 3 + d] =
-                    values.shape_grad(i, q)[d];
-          }
         for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            positions[a] = mapping.transform_unit_to_real_cell(cell, points[a]);
-            for (unsigned int d = 0; d < 3; ++d)
-              positions[a][d] += displacement(sorted[3 * a + d]);
-          }
-        const double energy = kernel.assemble(gradients.data(),
-                                              values.get_JxW_values().data(),
+          for (unsigned int d = 0; d < 3; ++d)
+            positions[a][d] =
+              cell.positions[a][d] + displacement(cell.dofs[3 * a + d]);
+        const double energy = kernel.assemble(cell.gradients.data(),
+                                              cell.weights.data(),
                                               positions.data(),
                                               forces.data(),
                                               stiffness.data());
@@ -247,7 +273,7 @@ private:
         std::copy(forces.begin(), forces.end(), cell_residual.begin());
         cell_matrix.fill(stiffness.data());
         constraints.distribute_local_to_global(
-          cell_matrix, cell_residual, sorted, matrix, residual);
+          cell_matrix, cell_residual, cell.dofs, matrix, residual);
       }
     constraints.set_zero(residual);
     return true;
@@ -280,6 +306,7 @@ private:
   std::unique_ptr<Heddle::Solid::Material> material;
   Heddle::Solid::CellKernel                kernel;
   AffineConstraints<double>                constraints;
+  std::vector<Cell>                        cells;
   SparsityPattern                          pattern;
   SparseMatrix<double>                     matrix;
   Vector<double>                           load;
