@@ -2,11 +2,40 @@
 #include <heddle/contributions/friction_coefficients.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Heddle
 {
   namespace Contributions
   {
+    namespace
+    {
+      /** "warp", "weft". */
+      std::string
+      in_quotes(const std::vector<std::string> &names)
+      {
+        std::string text;
+        for (const std::string &name : names)
+          text += (text.empty() ? "\"" : ", \"") + name + "\"";
+        return text;
+      }
+
+
+
+      /** Numbers of the sets that "SET-SET" names, or their number twice. */
+      std::pair<unsigned int, unsigned int>
+      find_pair(const std::string &name, const std::vector<std::string> &sets)
+      {
+        for (unsigned int i = 0; i < sets.size(); ++i)
+          for (unsigned int j = 0; j < sets.size(); ++j)
+            if (name == sets[i] + "-" + sets[j])
+              return {i, j};
+        return {sets.size(), sets.size()};
+      }
+    } // namespace
+
+
+
     FrictionCoefficients::FrictionCoefficients(
       const System::FiberSpace         &space,
       const Contact::ContactParameters &parameters)
@@ -24,35 +53,24 @@ namespace Heddle
 
       parallel.assign(sets.size(),
                       std::vector<double>(sets.size(), parameters.friction));
-      auto unknown = parameters.friction_of_sets;
-      for (unsigned int i = 0; i < sets.size(); ++i)
-        for (unsigned int j = 0; j < sets.size(); ++j)
-          {
-            const auto given =
-              parameters.friction_of_sets.find(sets[i] + "-" + sets[j]);
-            if (given == parameters.friction_of_sets.end())
-              continue;
-            const auto other =
-              parameters.friction_of_sets.find(sets[j] + "-" + sets[i]);
-            if (other != parameters.friction_of_sets.end() &&
-                other->second != given->second)
-              throw InputError("Contact: \"Friction of sets\" gives \"" +
-                               given->first + "\" and \"" + other->first +
-                               "\", which are the same pair, different "
-                               "coefficients; leave one of them out.");
-            parallel[i][j] = parallel[j][i] = given->second;
-            unknown.erase(given->first);
-          }
-      if (unknown.empty())
-        return;
-      std::string names;
-      for (const std::string &set : sets)
-        names += (names.empty() ? "\"" : ", \"") + set + "\"";
-      throw InputError("Contact: \"Friction of sets\" names \"" +
-                       unknown.begin()->first +
-                       "\", which is no pair of sets; give them as "
-                       "\"SET-SET\", of the sets " +
-                       names + ".");
+      std::vector<std::vector<std::string>> given(
+        sets.size(), std::vector<std::string>(sets.size()));
+      for (const auto &[pair, coefficient] : parameters.friction_of_sets)
+        {
+          const auto [i, j] = find_pair(pair, sets);
+          if (i == sets.size())
+            throw InputError("Contact: \"Friction of sets\" names \"" + pair +
+                             "\", which is no pair of sets; give them as "
+                             "\"SET-SET\", of the sets " +
+                             in_quotes(sets) + ".");
+          if (!given[i][j].empty())
+            throw InputError("Contact: \"Friction of sets\" gives \"" +
+                             given[i][j] + "\" and \"" + pair +
+                             "\", which are the same pair; leave one of them "
+                             "out.");
+          given[i][j] = given[j][i] = pair;
+          parallel[i][j] = parallel[j][i] = coefficient;
+        }
     }
 
 

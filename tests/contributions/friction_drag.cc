@@ -164,7 +164,7 @@ coefficients(const std::string &what, const double expected)
   if (what == "crossed")
     contact.crossed_friction = 0.5;
   else
-    contact.friction_of_sets[what] = 0.2;
+    contact.friction_of_sets.emplace(what, 0.2);
   describe(scene, contact, "director", 1e6, "0.2*t", "0");
   bool converged     = scene.step(0.).converged;
   converged          = scene.step(1.).converged && converged;

@@ -32,7 +32,7 @@ namespace Heddle
       double friction        = 0.;
 
       /** By "SET-SET", in place of the coefficient above. */
-      std::map<std::string, double> friction_of_sets;
+      std::multimap<std::string, double> friction_of_sets;
 
       /** Coefficient of crossed fibers over that of parallel ones. */
       double crossed_friction = 1.;
