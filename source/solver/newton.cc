@@ -250,14 +250,13 @@ namespace Heddle
             block_system->end();
 
             // Damping mends what is not positive definite, where there is any.
-            // What is not found of how yarns move damps them on their way: the
-            // plain weave comes near in 45 instead of 52 iterations, the twill
-            // in as many (doc/benchmarks.md).
-            const bool on_the_way =
-              rough && (softness > 0. || aim == Aim::calm);
+            // What is not found of how yarns move damps them while surfaces are
+            // soft: the plain weave comes near in 45 instead of 52 iterations.
+            // Without it after that 576 fibers take 135 instead of 86
+            // (doc/benchmarks.md).
             linear = linear_solver->solve(
               !rough,
-              !on_the_way,
+              /*yarn_motions=*/!rough || softness == 0.,
               aim == Aim::calm ? looser_before_friction : 1.);
             result.linear_iterations += linear.iterations;
             result.factorizations += linear.factorizations;
