@@ -204,7 +204,7 @@ private:
 
 
 
-  /** Cells keep their geometry: Debug would spend most of its time on it. */
+  /** Once, and not in every iteration. */
   void
   set_up_cells()
   {
