@@ -26,7 +26,8 @@ namespace Heddle
     app.add_flag("-v,--version", version, "Print the versions of all parts");
     app.add_flag("--validate",
                  validate,
-                 "Read and check the scene and print its size; solve nothing");
+                 "Read and check the scene, and with --resume the last state, "
+                 "and print its size; solve nothing");
     app.add_flag("--print-parameters",
                  print_parameters,
                  "Print all parameters of the scene with their meaning");

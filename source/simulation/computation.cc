@@ -51,7 +51,7 @@ namespace Heddle
       using Status = IO::Summary::Status;
       if (from_checkpoint)
         {
-          place = recorder.resume(stepping, log);
+          read_checkpoint();
           // Only a search tells whether fibers are near each other.
           for (const auto &contribution :
                scene.stages()[place.stage].contributions)
@@ -87,6 +87,17 @@ namespace Heddle
           recorder.finish(Status::failed, error.what());
           throw;
         }
+    }
+
+
+
+    void
+    Computation::read_checkpoint()
+    {
+      place = recorder.resume(stepping, log);
+      log << "Resumes        stage " << scene.stages()[place.stage].name
+          << " after load factor " << std::defaultfloat << std::setprecision(4)
+          << place.stepping->reached() << std::endl;
     }
 
 

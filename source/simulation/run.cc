@@ -182,9 +182,12 @@ namespace Heddle
       print_sizes(log, scene, parameters);
       if (command_line.task == CommandLine::Task::validate)
         {
-          if (!parameters.restart.initial_configuration.empty())
-            Recorder(scene, parameters, file, directory, timer)
-              .read_initial_configuration();
+          Recorder recorder(scene, parameters, file, directory, timer);
+          if (command_line.resume)
+            Computation(scene, parameters, recorder, log, timer, stop)
+              .read_checkpoint();
+          else if (!parameters.restart.initial_configuration.empty())
+            recorder.read_initial_configuration();
           return;
         }
 

@@ -32,6 +32,14 @@ namespace Heddle
       void
       run(const bool from_checkpoint);
 
+      /**
+       * Only read the last checkpoint: whatever it cannot be resumed for is
+       * found.
+       * @note Collective.
+       */
+      void
+      read_checkpoint();
+
     private:
       /** No equilibrium was found: see that the last one is kept. */
       void
@@ -63,11 +71,11 @@ namespace Heddle
       void
       show_status(const Stage &stage, const double load_factor);
 
-      /** "stage settle, step 3 to load factor 0.5" */
       /** What is to be said of a fiber that is bent too sharply, or nothing. */
       std::string
       kink_in_words() const;
 
+      /** "stage settle, step 3 to load factor 0.5" */
       std::string
       place_in_words() const;
 
