@@ -36,7 +36,7 @@ namespace Heddle
           motion_of_block *= part;
         state.move(1., motion);
         for (const auto &contribution : contributions)
-          contribution->update(state);
+          contribution->probe(state);
         system.begin(System::BlockSystem::Want::residual);
         for (const auto &contribution : contributions)
           contribution->assemble(state, system);

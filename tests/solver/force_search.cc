@@ -30,6 +30,13 @@ public:
   {
   }
 
+  /** It might change the ghosts, and with them what is to be tried next. */
+  void
+  update(System::State &) override
+  {
+    deallog << " FAIL: searched anew" << std::endl;
+  }
+
   void
   assemble(const System::State &state, System::BlockSystem &system) override
   {
