@@ -126,6 +126,22 @@ namespace Heddle
 
 
 
+      void
+      spare_checkpoint(const std::string &given, const std::string &directory)
+      {
+        const std::string           own = directory + "/checkpoint";
+        const std::filesystem::path folder =
+          (std::filesystem::path(".") / given).parent_path();
+        std::error_code none_there;
+        require(given.empty() ||
+                  !std::filesystem::equivalent(own, folder, none_there),
+                "Restart/Initial configuration is \"" + given +
+                  "\", one of the checkpoints that this run removes; copy it, "
+                  "or write to another folder.");
+      }
+
+
+
       /** Compute the scene and leave the results in its folder. */
       void
       compute(const CommandLine   &command_line,
@@ -178,6 +194,7 @@ namespace Heddle
         output_directory(command_line, parameters.run);
       spare_centerlines(relative_to(file.name(), parameters.centerlines.file),
                         directory);
+      spare_checkpoint(parameters.restart.initial_configuration, directory);
       Scene scene(parameters, file.name(), communicator);
       print_sizes(log, scene, parameters);
       if (command_line.task == CommandLine::Task::validate)
