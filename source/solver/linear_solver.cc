@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace Heddle
 {
@@ -338,9 +340,16 @@ namespace Heddle
       PCFailedReason reason;
       petsc(KSPGetPC(factorizing, &pc));
       petsc(PCGetFailedReason(pc, &reason));
+      const MPI_Comm communicator = system.state.space.communicator();
+      if (Utilities::MPI::max(reason == PC_FACTOR_OUTMEMORY ? 1 : 0,
+                              communicator) > 0)
+        throw std::runtime_error(
+          "The memory of this machine does not suffice for a factorization "
+          "of " +
+          std::to_string(system.state.n_dofs()) +
+          " unknowns; set Linear solver/Kind to \"fiber blocks\".");
       result.singular =
-        Utilities::MPI::max(reason == PC_NOERROR ? 0 : 1,
-                            system.state.space.communicator()) > 0;
+        Utilities::MPI::max(reason == PC_NOERROR ? 0 : 1, communicator) > 0;
       if (result.singular)
         // After a zero pivot PETSc's interface to MUMPS takes any further
         // factorization for done: it has to begin with the analysis.
