@@ -3,6 +3,8 @@
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <filesystem>
 
 namespace Heddle
@@ -48,6 +50,14 @@ namespace Heddle
       stage_entry(const unsigned int i, const std::string &name)
       {
         return "summary/stage-" + std::to_string(i) + "/" + name;
+      }
+
+
+
+      std::string
+      result_entry(const unsigned int i, const std::string &name)
+      {
+        return "summary/result-" + std::to_string(i) + "/" + name;
       }
     } // namespace
 
@@ -169,6 +179,16 @@ namespace Heddle
       place.predictor.save(archive, scene.state());
       for (const auto &contribution : scene.stages()[place.stage].contributions)
         contribution->save(archive, scene.state());
+      // The first rank alone knows of them.
+      const auto results = Utilities::MPI::broadcast(
+        scene.space().communicator(), summary.results);
+      archive.write_number("summary/n_results", results.size());
+      unsigned int n = 0;
+      for (const auto &result : results)
+        {
+          archive.write_text(result_entry(n, "name"), result.first);
+          archive.write_number(result_entry(n++, "value"), result.second);
+        }
       archive.write_number("summary/n_stages", summary.stages.size());
       auto stages = summary.stages;
       for (unsigned int i = 0; i < stages.size(); ++i)
@@ -187,6 +207,14 @@ namespace Heddle
     void
     Recorder::load_summary(const ArchiveReader &archive)
     {
+      // Older checkpoints do not have them.
+      const unsigned int n_results =
+        archive.has("summary/n_results")
+          ? archive.read_number("summary/n_results")
+          : 0;
+      for (unsigned int i = 0; i < n_results; ++i)
+        summary.results[archive.read_text(result_entry(i, "name"))] =
+          archive.read_number(result_entry(i, "value"));
       summary.stages.resize(archive.read_number("summary/n_stages"));
       for (unsigned int i = 0; i < summary.stages.size(); ++i)
         {
