@@ -67,6 +67,7 @@ namespace Heddle
     FiberContact::FiberContact(const System::FiberSpace         &space,
                                const Contact::ContactParameters &parameters)
       : space(space)
+      , refinement(parameters.refinement)
       , threshold(parameters.threshold)
       , largest_radius(find_largest_radius(space))
       , filter([](unsigned int, unsigned int) { return true; })

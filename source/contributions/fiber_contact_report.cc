@@ -1,3 +1,4 @@
+#include <heddle/base/exceptions.h>
 #include <heddle/contributions/fiber_contact.h>
 
 #include <deal.II/base/mpi.h>
@@ -111,6 +112,7 @@ namespace Heddle
               {cell.q_begin, cell.q_end, cell.penalty / cell.kept});
           }
       archive.write(name() + "/cells", records);
+      archive.write_number(name() + "/refinement", refinement);
 
       Records forgiven;
       forgiven.n_key_parts = 2;
@@ -132,6 +134,17 @@ namespace Heddle
     void
     FiberContact::load(const ArchiveReader &archive, const System::State &)
     {
+      // Older checkpoints do not have it.
+      if (archive.has(name() + "/refinement"))
+        {
+          const double before = archive.read_number(name() + "/refinement");
+          std::ostringstream sentence;
+          sentence << "Contact/Refinement is " << refinement << ", and was "
+                   << before
+                   << " in the run that this one goes on from: places of "
+                      "contact are numbered by it; leave it as it was.";
+          require(before == refinement, sentence.str());
+        }
       const Records records = archive.read_records(
         name() + "/cells", [this](const std::int64_t *key) {
           return space.owns(key[0]) || space.owns(key[1]);

@@ -235,6 +235,7 @@ namespace Heddle
                      const Contact::CandidatePair &pair) const;
 
       const System::FiberSpace &space;
+      const double              refinement;
       double                    threshold;
       const double              largest_radius;
       double                    softness = 0.;
