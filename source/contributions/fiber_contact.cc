@@ -476,6 +476,8 @@ namespace Heddle
     {
       cells.set_cells(accepted_cells);
       fibers.forget_search();
+      softness = 0.;
+      placed   = false;
     }
   } // namespace Contributions
 } // namespace Heddle
