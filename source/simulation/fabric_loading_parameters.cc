@@ -108,7 +108,7 @@ namespace Heddle
                 fabric_loading + "\"Ramp\" is \"" + ramp +
                   "\", which is not the same everywhere; let it depend on t "
                   "alone.");
-      require(strain > -1. && strain < 10.,
+      require(is_shear() || (strain > -1. && strain < 10.),
               fabric_loading + "\"Strain\" is " + shortly(strain) +
                 "; it must lie between -1 and 10, and 0.02 are 2 %.");
       const std::string entry = is_shear() ? "Shear angles" : "Strain ratios";
