@@ -110,11 +110,10 @@ namespace Heddle
       const Solver::Contributions        &contributions,
       Contributions::CrossingEnforcement &enforcement)
     {
-      Solver::NewtonParameters newton_parameters(parameters.get_section_name() +
-                                                 "/Newton");
-      newton_parameters.max_iterations = parameters.iterations;
-      newton_parameters.damping        = parameters.damping;
-      Solver::Newton newton(newton_parameters,
+      Solver::NewtonLimits limits;
+      limits.max_iterations = parameters.iterations;
+      limits.damping        = parameters.damping;
+      Solver::Newton newton(limits,
                             linear_parameters,
                             state.space.communicator(),
                             log,

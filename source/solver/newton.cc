@@ -78,7 +78,7 @@ namespace Heddle
 
 
 
-    Newton::Newton(const NewtonParameters       &parameters,
+    Newton::Newton(const NewtonLimits           &parameters,
                    const LinearSolverParameters &linear_parameters,
                    const MPI_Comm                communicator,
                    Log                          &log,

@@ -56,7 +56,7 @@ namespace Heddle
     class Newton
     {
     public:
-      Newton(const NewtonParameters       &parameters,
+      Newton(const NewtonLimits           &parameters,
              const LinearSolverParameters &linear_parameters,
              const MPI_Comm                communicator,
              Log                          &log,
@@ -163,7 +163,7 @@ namespace Heddle
              const NewtonResult  &result,
              const Contributions &contributions) const;
 
-      const NewtonParameters       &parameters;
+      const NewtonLimits           &parameters;
       const LinearSolverParameters &linear_parameters;
       const MPI_Comm                communicator;
       Log                          &log;

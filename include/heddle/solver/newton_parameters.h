@@ -12,7 +12,18 @@ namespace Heddle
     using namespace dealii;
 
     /** When an equilibrium is found, and when the search is given up. */
-    class NewtonParameters : public ParameterAcceptor
+    struct NewtonLimits
+    {
+      double       residual_tolerance  = 1e-5;
+      double       increment_tolerance = 1e-3;
+      unsigned int max_iterations      = 60;
+      double       damping             = 3e-4;
+    };
+
+
+
+    /** As a parameter file sets them. */
+    class NewtonParameters : public ParameterAcceptor, public NewtonLimits
     {
     public:
       NewtonParameters(const std::string &section = "/Newton");
@@ -24,11 +35,6 @@ namespace Heddle
        */
       void
       choose_for(const bool fabric);
-
-      double       residual_tolerance  = 1e-5;
-      double       increment_tolerance = 1e-3;
-      unsigned int max_iterations      = 60;
-      double       damping             = 3e-4;
 
     private:
       /** As given; 0: it was not. */
