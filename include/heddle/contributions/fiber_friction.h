@@ -51,6 +51,13 @@ namespace Heddle
       void
       update(System::State &state) override;
 
+      /** Contact may have raised its penalties. */
+      void
+      begin_iteration(System::State &state) override
+      {
+        place_elements(state);
+      }
+
       void
       probe(System::State &state) override;
 
