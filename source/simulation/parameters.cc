@@ -78,6 +78,11 @@ namespace Heddle
                 "so there is nothing to compute in it; set "
                 "\"Fabric loading/Kind\", or declare a section "
                 "\"Supports/Support 1\".");
+      if (matrix.enabled)
+        {
+          matrix.material.material();
+          matrix.material.has_mean_dilatation(matrix.degree);
+        }
       for (const auto &support : supports)
         require(matrix.enabled || support->matrix_sides.empty(),
                 support->entry("Matrix sides") +
