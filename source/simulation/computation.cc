@@ -194,9 +194,14 @@ namespace Heddle
                 result.obstacle + (kink.empty() ? "" : "; " + kink);
               reject(stage);
               if (!steps.cut_back())
-                throw NotConverged("No equilibrium in " + where + " after " +
-                                   std::to_string(result.iterations) +
-                                   " iterations: " + why + ".");
+                throw NotConverged(
+                  "No equilibrium in " + where + " after " +
+                  std::to_string(result.iterations) + " iterations" +
+                  (result.iterations == parameters.newton.max_iterations
+                     ? ", as many as Newton/Maximum iterations "
+                       "allows"
+                     : "") +
+                  ": " + why + ".");
               log << "  not converged: " << why << "; the step is halved"
                   << std::endl;
             }

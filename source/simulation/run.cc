@@ -105,8 +105,12 @@ namespace Heddle
             << std::ceil(scene.estimated_memory(matrix.n_nodes) / 1e6) << " MB"
             << "\nTime           about " << std::setprecision(1)
             << std::max(0.1, scene.estimated_seconds(matrix.n_nodes))
-            << " s for a Newton iteration; an initial configuration takes 40 "
-               "to 160, a load step 3 to 20"
+            << " s for a Newton iteration; "
+            << (scene.weave() &&
+                    parameters.restart.initial_configuration.empty()
+                  ? "an initial configuration takes 40 to 160, "
+                  : "")
+            << "a load step " << (scene.weave() ? "3 to 20" : "3 to 60")
             << std::endl;
       }
 
