@@ -98,6 +98,9 @@ namespace Heddle
             log << comma << name;
             comma = ", ";
           }
+        const std::string overlap = scene.overlap_at_start();
+        if (!overlap.empty())
+          log << "\nNote           " << overlap;
         log << "\nLinear solver  "
             << (scene.will_be_factorized(matrix.n_nodes) ? "direct"
                                                          : "fiber blocks")

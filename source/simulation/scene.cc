@@ -275,6 +275,27 @@ namespace Heddle
 
 
 
+    std::string
+    Scene::overlap_at_start() const
+    {
+      constexpr double much = 0.5;
+      if (fabric || !fiber_contact)
+        return "";
+      System::State start(*fiber_space);
+      start.set(initial_blocks);
+      start.accept();
+      Contributions::FiberContact contact(*fiber_space, parameters.contact);
+      contact.set_threshold(much);
+      contact.update(start);
+      const std::string deepest = contact.objection(start);
+      return deepest.empty() ? ""
+                             : "at the start there is a " + deepest +
+                                 ", which contact has to undo; move fibers "
+                                 "apart if it finds no equilibrium";
+    }
+
+
+
     void
     Scene::add_load_cases()
     {

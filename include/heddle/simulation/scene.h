@@ -105,6 +105,14 @@ namespace Heddle
       wrong_crossings() const;
 
       /**
+       * Which of the fibers that were given lie in each other, by more than
+       * half a radius, or nothing. Those of a weave are not looked at.
+       * @note Collective.
+       */
+      std::string
+      overlap_at_start() const;
+
+      /**
        * What all contributions report, by name with unit. Of several of the
        * same name, those of load cases, the one of @p stage does.
        */
