@@ -349,13 +349,9 @@ namespace Heddle
         {
           add_cell(point.cell);
           if (!state.space.owns(point.fiber))
-            for (unsigned int k = 0; k < point.particle.blocks.size(); ++k)
+            for (const unsigned int block : point.particle.blocks)
               {
-                // A node is one block: those of no weight are none of it.
-                if (point.particle.values[k] == 0.)
-                  continue;
-                const unsigned int i =
-                  point.particle.blocks[k] / state.space.n_blocks_per_node();
+                const unsigned int i = block / state.space.n_blocks_per_node();
                 System::NodeRange &range =
                   fibers.insert({point.fiber, {i, i + 1}}).first->second;
                 range.begin = std::min(range.begin, i);
