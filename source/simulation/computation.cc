@@ -106,11 +106,12 @@ namespace Heddle
     Computation::keep_last_step()
     {
       // The stage before has ended well, and what follows may be set otherwise.
-      if (scene.state().step == 0 && place.number > 0 &&
-          parameters.output.checkpoint_interval == 0)
-        recorder.write_checkpoint(place);
       if (scene.state().step == 0)
-        return;
+        {
+          if (place.number > 0 && parameters.output.checkpoint_interval == 0)
+            recorder.write_checkpoint(place);
+          return;
+        }
       // Contact was last looked at where no equilibrium was found.
       for (const auto &contribution : scene.stages()[place.stage].contributions)
         contribution->update(scene.state());
