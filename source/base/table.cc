@@ -40,7 +40,8 @@ namespace Heddle
   StepTable::set(const std::string &name, const double value)
   {
     Assert(!rows.empty(), ExcMessage("There is no row yet."));
-    rows.back()[column(name)] = value;
+    // Nothing is to be read as "-0".
+    rows.back()[column(name)] = value + 0.;
   }
 
 

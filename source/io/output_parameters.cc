@@ -68,7 +68,8 @@ namespace Heddle
     OutputParameters::due(const unsigned int step,
                           const bool         last_of_stage) const
     {
-      return interval > 0 && (last_of_stage || step % interval == 0);
+      return interval > 0 &&
+             (last_of_stage || (step > 0 && step % interval == 0));
     }
 
 

@@ -106,7 +106,7 @@ namespace Heddle
     Computation::keep_last_step()
     {
       // The stage before has ended well, and what follows may be set otherwise.
-      if (scene.state().step == 0)
+      if (!place.stepping->has_begun())
         {
           if (place.number > 0 && parameters.output.checkpoint_interval == 0)
             recorder.write_checkpoint(place);
@@ -127,7 +127,7 @@ namespace Heddle
         {
           place.stepping = stepping[place.stage].get();
           recorder.begin_stage(place.stage);
-          if (place.stepping->reached() == 0.)
+          if (!place.stepping->has_begun())
             begin_stage(scene.stages()[place.stage]);
           stage_began    = timer.total();
           stage_began_at = place.stepping->reached();
@@ -154,16 +154,19 @@ namespace Heddle
       if (!stage.is_loaded)
         return;
 
-      place.predictor.begin(state);
       // A step of no motion leaves the forces from which work counts.
       for (const auto &contribution : stage.contributions)
         contribution->begin_step(state);
-      newton.residual_ratio(state, stage.contributions);
+      const double ratio = newton.residual_ratio(state, stage.contributions);
       for (const auto &contribution : stage.contributions)
         {
           contribution->observe(*newton.system());
           contribution->accept_step(state);
         }
+      if (ratio > 0.)
+        stepping[place.stage]->begin_at_zero();
+      else
+        place.predictor.begin(state);
     }
 
 
@@ -222,7 +225,8 @@ namespace Heddle
     {
       System::State &state = scene.state();
       state.load_factor    = stepping[place.stage]->next();
-      ++state.step;
+      if (state.load_factor > 0.)
+        ++state.step;
       log << "Stage " << stage.name << ", step " << state.step
           << ": load factor " << std::defaultfloat << std::setprecision(4)
           << state.load_factor << std::endl;
@@ -285,7 +289,9 @@ namespace Heddle
       for (const auto &contribution : stage.contributions)
         contribution->accept_step(scene.state());
       scene.state().accept();
-      if (stage.is_loaded)
+      if (scene.state().load_factor == 0.)
+        place.predictor.begin(scene.state());
+      else if (stage.is_loaded)
         place.predictor.add(scene.state());
       ++place.number;
       log << "  converged after " << result.iterations << " iterations";

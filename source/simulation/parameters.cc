@@ -12,7 +12,8 @@ namespace Heddle
       , loads(Contributions::declare_loads(file))
     {
       file.apply();
-      newton.choose_for(/*fabric=*/run.scene == "weave");
+      newton.choose_for(/*fabric=*/run.scene == "weave",
+                        centerlines.straight_when_free);
     }
 
 

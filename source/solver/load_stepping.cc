@@ -116,6 +116,8 @@ namespace Heddle
     double
     LoadStepping::next() const
     {
+      if (at_zero)
+        return 0.;
       const double       point = next_point();
       const unsigned int n     = n_steps_to(point);
       return n == 1 ? point : last + (point - last) / n;
@@ -126,7 +128,13 @@ namespace Heddle
     void
     LoadStepping::accept(const unsigned int newton_iterations)
     {
-      last = next();
+      last  = next();
+      begun = true;
+      if (at_zero)
+        {
+          at_zero = false;
+          return;
+        }
       ++n_good;
       if (newton_iterations <= plan.easy_iterations)
         step = std::min(1.5 * step, plan.largest_step);
@@ -142,6 +150,8 @@ namespace Heddle
     bool
     LoadStepping::cut_back()
     {
+      if (at_zero)
+        return false;
       // What failed may be shorter than what was meant.
       const double shorter = 0.5 * (next() - last);
       if (shorter < plan.smallest_step * (1. - 1e-6))
@@ -163,6 +173,7 @@ namespace Heddle
     void
     LoadStepping::save(ArchiveWriter &archive) const
     {
+      archive.write_number("load stepping/begun", begun);
       archive.write_number("load stepping/reached", last);
       archive.write_number("load stepping/step", step);
       archive.write_number("load stepping/uncut", uncut);
@@ -176,6 +187,10 @@ namespace Heddle
     LoadStepping::load(const ArchiveReader &archive)
     {
       last = archive.read_number("load stepping/reached");
+      // Older checkpoints do not have it, and no step to 0 either.
+      begun = archive.has("load stepping/begun")
+                ? archive.read_number("load stepping/begun") > 0.
+                : last > 0.;
       step =
         std::min(archive.read_number("load stepping/step"), plan.largest_step);
       uncut =

@@ -26,7 +26,8 @@ namespace Heddle
       add_parameter("Maximum iterations",
                     given_iterations,
                     "Iterations after which a load step is given up; 0: 500 "
-                    "for a weave, 60 for centerlines [-].",
+                    "for a weave and for centerlines that are straight when "
+                    "free, 60 for others [-].",
                     prm,
                     Patterns::Integer(0));
       add_parameter("Damping",
@@ -43,7 +44,8 @@ namespace Heddle
 
 
     void
-    NewtonParameters::choose_for(const bool fabric)
+    NewtonParameters::choose_for(const bool fabric,
+                                 const bool straight_when_free)
     {
       residual_tolerance  = given_residual > 0. ? given_residual
                             : fabric            ? 0.01
@@ -51,9 +53,10 @@ namespace Heddle
       increment_tolerance = given_increment > 0. ? given_increment
                             : fabric             ? 0.1
                                                  : 1e-3;
-      max_iterations      = given_iterations > 0 ? given_iterations
-                            : fabric             ? 500
-                                                 : 60;
+      if (given_iterations > 0)
+        max_iterations = given_iterations;
+      else
+        max_iterations = fabric || straight_when_free ? 500 : 60;
     }
   } // namespace Solver
 } // namespace Heddle

@@ -43,6 +43,14 @@ main()
   Heddle::Solver::LoadStepping hard(plan);
   attempt(hard, {20, 0, 20, 20, 20, 20, 0, 20, 20, 20, 20, 20, 20, 20});
 
+  // A step to 0 comes first, is not halved, and leaves the others as they were.
+  Heddle::Solver::LoadStepping from_zero(plan);
+  from_zero.begin_at_zero();
+  deallog << "has begun " << from_zero.has_begun() << std::endl;
+  attempt(from_zero, {0, 5});
+  deallog << "has begun " << from_zero.has_begun() << std::endl;
+  attempt(from_zero, {5, 5});
+
   Heddle::Solver::LoadStepping stubborn(plan);
   while (stubborn.cut_back())
     deallog << "halved to " << stubborn.next() << std::endl;

@@ -19,7 +19,9 @@ namespace Heddle
 
       /**
        * Whether fibers and contacts are written after load step @p step of a
-       * stage. The last step of a stage always is, unless the interval is 0.
+       * stage. The last step of a stage always is, unless the interval is 0;
+       * that to load factor 0, number 0, is not: it would be shown at the time
+       * of the end of the stage before.
        */
       bool
       due(const unsigned int step, const bool last_of_stage) const;

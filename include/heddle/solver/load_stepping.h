@@ -56,6 +56,23 @@ namespace Heddle
     public:
       LoadStepping(const LoadPlan &plan);
 
+      /**
+       * Take a step to load factor 0 before all others: what is not in balance
+       * there finds its equilibrium before anything moves. It is not halved.
+       */
+      void
+      begin_at_zero()
+      {
+        at_zero = true;
+      }
+
+      /** Whether there was a good step. */
+      bool
+      has_begun() const
+      {
+        return begun;
+      }
+
       /** The load factor of the last good step; 0 at first [-]. */
       double
       reached() const
@@ -95,7 +112,9 @@ namespace Heddle
       n_steps_to(const double point) const;
 
       const LoadPlan plan;
-      double         last = 0.;
+      bool           at_zero = false; /**< the next step is to 0 */
+      bool           begun   = false;
+      double         last    = 0.;
       double         step;
       double         uncut    = 0.; /**< the step before it was cut */
       unsigned int   n_good   = 0;  /**< steps since the last cut or growth */

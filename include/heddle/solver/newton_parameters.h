@@ -31,10 +31,11 @@ namespace Heddle
       /**
        * Set what was not given. A @p fabric is settled when what its contacts
        * carry is balanced to a hundredth: its last fibers find their places
-       * slowly, and change little.
+       * slowly, and change little. Fibers that are @p straight_when_free come
+       * from as far.
        */
       void
-      choose_for(const bool fabric);
+      choose_for(const bool fabric, const bool straight_when_free);
 
     private:
       /** As given; 0: it was not. */
