@@ -79,17 +79,20 @@ namespace Heddle
 
 
 
-    bool
+    double
     FrictionMemory::touched(const ContactElement &element,
                             const double          reach) const
     {
+      double most = 0.;
       for (const Record &record :
-           around(element, reach + element.weight + longest))
-        if (std::max(std::abs(record.s_a - element.s_a),
-                     std::abs(record.s_b - element.s_b)) <
-            reach + element.weight + record.weight)
-          return true;
-      return false;
+           around(element, 2. * (reach + element.weight + longest)))
+        {
+          const double apart = std::max(std::abs(record.s_a - element.s_a),
+                                        std::abs(record.s_b - element.s_b));
+          most               = std::max(
+            most, 2. - apart / (reach + element.weight + record.weight));
+        }
+      return std::min(most, 1.);
     }
 
 

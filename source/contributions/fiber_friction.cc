@@ -95,9 +95,15 @@ namespace Heddle
       // Where nothing touched within this motion a gap closed since then, at a
       // steady rate: in this part of the step.
       const double gap = motion.gap_before + touching.forgiven;
-      if (gap <= 0. || memory.touched(touching, motion.displacement.norm()))
+      if (gap <= 0.)
         return 1.;
-      return touching.gap < 0. ? touching.gap / (touching.gap - gap) : 0.;
+      const double closed =
+        touching.gap < 0. ? touching.gap / (touching.gap - gap) : 0.;
+
+      // No force may jump where another contact comes within the motion.
+      const double touched =
+        memory.touched(touching, motion.displacement.norm());
+      return touched + (1. - touched) * closed;
     }
 
 

@@ -58,7 +58,7 @@ check(const int orientation)
   Contact::FrictionMemory memory;
   memory.set(records);
 
-  double linear = 0., largest_jump = 0.;
+  double linear = 0., largest_jump = 0., largest_jump_of_touch = 0.;
   for (double along = 0.; along <= 1.4; along += 0.01)
     linear = std::max(
       linear,
@@ -68,7 +68,10 @@ check(const int orientation)
     across_range(-0.6, 0.6);
   const double far = remembered(memory, 3., 0., orientation) +
                      remembered(memory, 0.7, 0.6, orientation);
-  const double step = 1e-7;
+  const double step  = 1e-7;
+  const auto   touch = [&](const double along, const double reach) {
+    return memory.touched(element(along, 0., orientation), reach);
+  };
   for (unsigned int k = 0; k < 1000; ++k)
     {
       // Exactly at a record now and then: there jumps would be.
@@ -81,12 +84,25 @@ check(const int orientation)
             largest_jump,
             std::abs(remembered(memory, along + a, across + b, orientation) -
                      here));
+
+      // It touched there, or as far as it moved: that must not jump either.
+      const double reach = std::abs(across);
+      largest_jump_of_touch =
+        std::max({largest_jump_of_touch,
+                  std::abs(touch(along + step, reach) - touch(along, reach)),
+                  std::abs(touch(along, reach + step) - touch(along, reach))});
     }
   deallog << "orientation " << orientation << ": linear between records "
           << (linear < 1e-12) << ", nothing far away " << (far == 0.)
           << ", friction of the pair " << memory.limit(0, 1) << " and "
           << memory.limit(0, 2) << ", no jump " << (largest_jump < 1e2 * step)
           << std::endl;
+
+  // Records end at 1.43, and both lengths are 0.2.
+  deallog << "touched at the last one, within and beyond the reach: "
+          << touch(1.43, 0.) << ' ' << touch(1.8, 0.) << ' ' << touch(2.2, 0.4)
+          << ' ' << touch(2.03, 0.) << ' ' << touch(2.3, 0.) << ", no jump "
+          << (largest_jump_of_touch < 1e2 * step) << std::endl;
 }
 
 

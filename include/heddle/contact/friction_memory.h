@@ -49,8 +49,11 @@ namespace Heddle
       Record
       at(const ContactElement &element, const double reach) const;
 
-      /** Whether both fibers touched within @p reach of the particles [mm]. */
-      bool
+      /**
+       * Return 1 if both fibers touched within @p reach [mm] of the particles
+       * or their own lengths, 0 beyond twice that, and what lies between.
+       */
+      double
       touched(const ContactElement &element, const double reach) const;
 
       /** @return the sum of the limits of the friction of two fibers, [N]. */
