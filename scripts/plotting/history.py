@@ -34,12 +34,26 @@ def read_history(directory):
     return columns
 
 
+# Beside those that are called so.
+ENERGIES = ("external_work", "contact_hardening", "friction_stored",
+            "friction_dissipated")
+
+
+def comparable(name):
+    """Return the name without a coordinate or the direction of yarns."""
+    if name.startswith(("warp_", "weft_")):
+        return "warp and weft" + name[4:]
+    return name[:-2] if name.endswith(("_x", "_y", "_z")) else name
+
+
 def panels_of(columns):
-    """Group the columns: what is compared goes into one panel."""
+    """Group the columns: what is compared goes into one panel, and what is zero
+    all the time into none."""
     groups = {"Residual": [], "Penetration over radius": [], "Contacts": [],
               "Penalty": [], "Energy": [], "Newton iterations": []}
     for name in columns:
-        if name in ("step", "stage", "load_factor"):
+        if name in ("step", "stage", "load_factor") or \
+                not np.nan_to_num(columns[name][1]).any():
             continue
         if "residual" in name:
             group = "Residual"
@@ -49,12 +63,12 @@ def panels_of(columns):
             group = "Contacts"
         elif "penalty" in name:
             group = "Penalty"
-        elif "energy" in name:
+        elif "energy" in name or name in ENERGIES:
             group = "Energy"
         elif name == "newton_iterations":
             group = "Newton iterations"
         else:
-            group = name.replace("_", " ").capitalize()
+            group = comparable(name).replace("_", " ").capitalize()
         groups.setdefault(group, []).append(name)
     return {group: names for group, names in groups.items() if names}
 
