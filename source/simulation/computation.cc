@@ -163,6 +163,7 @@ namespace Heddle
           contribution->observe(*newton.system());
           contribution->accept_step(state);
         }
+      // What was held until now comes to rest before anything moves.
       if (ratio > 0.)
         stepping[place.stage]->begin_at_zero();
       else
@@ -289,6 +290,7 @@ namespace Heddle
       for (const auto &contribution : stage.contributions)
         contribution->accept_step(scene.state());
       scene.state().accept();
+      // Motion to load factor 0 tells nothing of that with the load.
       if (scene.state().load_factor == 0.)
         place.predictor.begin(scene.state());
       else if (stage.is_loaded)
