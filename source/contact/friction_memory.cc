@@ -9,6 +9,18 @@ namespace Heddle
 {
   namespace Contact
   {
+    namespace
+    {
+      /**
+       * Part of the distance within which fibers touched over which that fades,
+       * on both sides. As wide as the distance itself, bundles that slide with
+       * a friction of 0.4 needed 22 steps instead of 10.
+       */
+      constexpr double edge = 0.1;
+    } // namespace
+
+
+
     void
     FrictionMemory::set(std::vector<Record> &new_records)
     {
@@ -85,12 +97,12 @@ namespace Heddle
     {
       double most = 0.;
       for (const Record &record :
-           around(element, 2. * (reach + element.weight + longest)))
+           around(element, (1. + edge) * (reach + element.weight + longest)))
         {
           const double apart = std::max(std::abs(record.s_a - element.s_a),
                                         std::abs(record.s_b - element.s_b));
-          most               = std::max(
-            most, 2. - apart / (reach + element.weight + record.weight));
+          const double limit = reach + element.weight + record.weight;
+          most = std::max(most, 0.5 + 0.5 * (1. - apart / limit) / edge);
         }
       return std::min(most, 1.);
     }

@@ -100,8 +100,9 @@ check(const int orientation)
 
   // Records end at 1.43, and both lengths are 0.2.
   deallog << "touched at the last one, within and beyond the reach: "
-          << touch(1.43, 0.) << ' ' << touch(1.8, 0.) << ' ' << touch(2.2, 0.4)
-          << ' ' << touch(2.03, 0.) << ' ' << touch(2.3, 0.) << ", no jump "
+          << touch(1.43, 0.) << ' ' << touch(1.78, 0.) << ' '
+          << touch(2.14, 0.4) << ' ' << touch(1.83, 0.) << ' '
+          << touch(1.88, 0.) << ", no jump "
           << (largest_jump_of_touch < 1e2 * step) << std::endl;
 }
 

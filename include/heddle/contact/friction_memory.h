@@ -51,7 +51,8 @@ namespace Heddle
 
       /**
        * Return 1 if both fibers touched within @p reach [mm] of the particles
-       * or their own lengths, 0 beyond twice that, and what lies between.
+       * or their own lengths, 0 if they did not, and what lies between near the
+       * end of that: a continuous function of the particles and of the reach.
        */
       double
       touched(const ContactElement &element, const double reach) const;
