@@ -22,14 +22,14 @@ namespace Heddle
        * Conjugate gradients, which leave the unsymmetric terms out, are good
        * enough if no more of the right-hand side is left. They are as long as
        * little slips, and often not where bundles slide over each other
-       * (doc/benchmarks.md).
+       * (doc/what_was_tried.md).
        */
       constexpr double good_enough = 0.2;
 
       /**
        * Far from symmetric is a system of which they leave as much as this. The
        * preconditioner overrates what is left: where the matrix is factorized
-       * good_enough is the limit (doc/benchmarks.md).
+       * good_enough is the limit (doc/what_was_tried.md).
        */
       constexpr double no_use = 0.9;
 

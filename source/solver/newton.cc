@@ -33,14 +33,14 @@ namespace Heddle
        * fibers: it holds those that are still on their way. That saves a third
        * of the iterations of the paper's fabrics. But forces have to balance on
        * average: where friction began before, 5 of 24 small fabrics ended with
-       * 1.4 % less force than the others (doc/benchmarks.md).
+       * 1.4 % less force than the others (doc/what_was_tried.md).
        */
       constexpr Calm before_friction = {0.6, 0.6, 0.25};
 
       /**
        * Nor need linear systems be solved as well: a tolerance so many times
        * looser saves a tenth of the time of the paper's fabrics, at as many
-       * iterations (doc/benchmarks.md). Where no friction follows it takes more
+       * iterations (doc/what_was_tried.md). Where no friction follows it takes more
        * of them.
        */
       constexpr double looser_before_friction = 3.;
@@ -253,7 +253,7 @@ namespace Heddle
             // What is not found of how yarns move damps them while surfaces are
             // soft: the plain weave comes near in 45 instead of 52 iterations.
             // Without it after that 576 fibers take 135 instead of 86
-            // (doc/benchmarks.md).
+            // (doc/what_was_tried.md).
             linear = linear_solver->solve(
               !rough,
               /*yarn_motions=*/!rough || softness == 0.,

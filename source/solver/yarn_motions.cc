@@ -19,7 +19,7 @@ namespace Heddle
       /**
        * Intervals between nodes from one station to the next. With 2 or 3 there
        * are 26 or 27 instead of 30 iterations, in no less time
-       * (doc/benchmarks.md).
+       * (doc/what_was_tried.md).
        */
       constexpr unsigned int station_distance = 5;
     } // namespace
