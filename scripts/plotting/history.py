@@ -1,37 +1,18 @@
 """The columns of history.csv over the steps."""
 
-import csv
 import os
 import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plotting import PlotError
 from plotting.figures import save
+from plotting.tables import read_table
 
 
 def read_history(directory):
     """Return {name: (unit, values)} of history.csv, empty columns left out."""
-    path = os.path.join(directory, "history.csv")
-    if not os.path.isfile(path):
-        return None
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
-    if len(rows) < 2:
-        return None
-    columns = {}
-    for i, head in enumerate(rows[0]):
-        name, _, unit = head.partition("[")
-        try:
-            values = np.array([float(row[i]) if row[i] else np.nan
-                               for row in rows[1:]])
-        except (ValueError, IndexError):
-            raise PlotError(f"'{path}' is no table of numbers in the column "
-                            f"'{head}'.") from None
-        if not np.isnan(values).all():
-            columns[name] = (unit.rstrip("]"), values)
-    return columns
+    return read_table(os.path.join(directory, "history.csv"))
 
 
 # Beside those that are called so.

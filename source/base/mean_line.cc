@@ -75,15 +75,20 @@ namespace Heddle
   Polyline
   mean_line(const std::vector<Polyline> &fibers, const unsigned int n_points)
   {
-    const double weight = 1. / fibers.size();
-    Polyline     mean(n_points);
+    const double       weight = 1. / fibers.size();
+    Polyline           mean(n_points);
+    const Tensor<1, 3> direction = fibers[0].back() - fibers[0].front();
     for (const Polyline &fiber : fibers)
       {
+        const bool backward = (fiber.back() - fiber.front()) * direction < 0.;
         const std::vector<double> lengths = lengths_along(fiber);
         for (unsigned int k = 0; k < n_points; ++k)
-          mean[k] +=
-            weight *
-            point_at(fiber, lengths, lengths.back() * k / (n_points - 1));
+          {
+            const unsigned int i = backward ? n_points - 1 - k : k;
+            mean[k] +=
+              weight *
+              point_at(fiber, lengths, lengths.back() * i / (n_points - 1));
+          }
       }
     return mean;
   }
@@ -102,11 +107,20 @@ namespace Heddle
 
 
 
+  bool
+  is_steep(const Tensor<1, 3> &direction)
+  {
+    return std::abs(direction[2]) > 0.9 * direction.norm();
+  }
+
+
+
   double
   crimp(const Polyline &mean_line)
   {
     Tensor<1, 3> span = mean_line.back() - mean_line.front();
-    span[2]           = 0.;
+    if (!is_steep(span))
+      span[2] = 0.;
     return lengths_along(mean_line).back() / span.norm() - 1.;
   }
 } // namespace Heddle

@@ -80,12 +80,19 @@ namespace Heddle
       const auto         lines = gather_centerlines(state, /*n_pieces=*/1);
       std::ostringstream out;
       out.precision(std::numeric_limits<double>::max_digits10);
-      out << "fiber,x,y,z,radius,set\n";
+      out << "fiber,x,y,z,radius,set,yarn\n";
       for (unsigned int f = 0; f < lines.size(); ++f)
-        for (const Tensor<1, 3> &node : lines[f])
-          out << f << ',' << node[0] << ',' << node[1] << ',' << node[2] << ','
-              << state.space.fiber(f).radius << ',' << state.space.fiber(f).set
-              << '\n';
+        {
+          const System::Fiber &fiber = state.space.fiber(f);
+          const std::string    yarn =
+            fiber.yarn_id == numbers::invalid_unsigned_int
+                 ? ""
+                 : std::to_string(fiber.yarn_id);
+          for (const Tensor<1, 3> &node : lines[f])
+            out << f << ',' << node[0] << ',' << node[1] << ',' << node[2]
+                << ',' << fiber.radius << ',' << fiber.set << ',' << yarn
+                << '\n';
+        }
       return out.str();
     }
   } // namespace Post

@@ -53,10 +53,10 @@ namespace Heddle
     {
       AssertDimension(fibers.size(), radii.size());
 
+      // Of a yarn that runs through the thickness y takes the place of z.
       Tensor<1, 3> vertical;
-      vertical[2]         = 1.;
+      vertical[is_steep(plane.normal) ? 1 : 2] = 1.;
       Tensor<1, 3> across = cross_product_3d(vertical, plane.normal);
-      Assert(across.norm() > 0., ExcMessage("A yarn runs through the fabric."));
       across /= across.norm();
       const Tensor<1, 3> up = cross_product_3d(plane.normal, across);
 

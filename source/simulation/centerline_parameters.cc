@@ -11,10 +11,12 @@ namespace Heddle
       add_parameter("File",
                     file,
                     "Comma-separated values with the columns "
-                    "fiber,x,y,z[,radius][,set], one line per point, such as "
-                    "the centerlines.csv of another run; as seen from the "
-                    "folder of the parameter file. Inactive unless Run/Scene "
-                    "is 'centerlines', like all of this section [-].");
+                    "fiber,x,y,z[,radius][,set][,yarn], one line per point, "
+                    "such as the centerlines.csv of another run; as seen from "
+                    "the folder of the parameter file. Supports and loads find "
+                    "fibers by their set; those of the same yarn are measured "
+                    "together. Inactive if Run/Scene is 'weave', like all of "
+                    "this section [-].");
       add_parameter("Element length",
                     entries.element_length,
                     "Every fiber gets the number of equal elements whose "
@@ -43,6 +45,14 @@ namespace Heddle
                     "Whether the fibers would be straight if they were free, "
                     "and start bent; otherwise the curves of the file are free "
                     "of stress [-].");
+      add_parameter("Axial strain",
+                    entries.axial_strain,
+                    "By how much fibers are longer along these centerlines "
+                    "than they would be if they were free, for instance under "
+                    "the tension of a fabric. Inactive unless 'Straight when "
+                    "free' is true [-].",
+                    prm,
+                    Patterns::Double(-0.1, 0.1));
     }
 
 

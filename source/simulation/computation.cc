@@ -123,7 +123,8 @@ namespace Heddle
     void
     Computation::run_stages()
     {
-      for (; place.stage < scene.stages().size(); ++place.stage)
+      const unsigned int n_stages = scene.stages().size();
+      for (; place.stage < n_stages; ++place.stage)
         {
           place.stepping = stepping[place.stage].get();
           recorder.begin_stage(place.stage);
@@ -133,7 +134,7 @@ namespace Heddle
           stage_began_at = place.stepping->reached();
           run_stage();
         }
-      --place.stage;
+      place.stage = std::max(n_stages, 1u) - 1;
     }
 
 

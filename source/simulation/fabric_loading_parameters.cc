@@ -30,7 +30,7 @@ namespace Heddle
     {
       add_parameter("Kind",
                     kind,
-                    "Test of a weave, whose four sides are moved: the ends of "
+                    "Test of a fabric, whose four sides are moved: the ends of "
                     "its fibers and, if it has one, the sides of its matrix. "
                     "Every load case begins in the initial configuration, "
                     "with the tension under which it was computed, unless "

@@ -27,16 +27,15 @@ namespace Heddle
 
 
 
-    FabricReport::FabricReport(const Textile::Weave &weave,
-                               const System::State  &state)
-      : weave(weave)
-      , lines(Post::gather_centerlines(state, n_pieces))
+    FabricReport::FabricReport(const System::State &state)
+      : lines(Post::gather_centerlines(state, n_pieces))
+      , yarns(lines.empty() ? 0 : state.space.n_yarns())
     {
       for (unsigned int f = 0; f < lines.size(); ++f)
         {
           const System::Fiber &fiber = state.space.fiber(f);
-          if (fiber.yarn_id >= yarns.size())
-            yarns.resize(fiber.yarn_id + 1);
+          if (fiber.yarn_id == numbers::invalid_unsigned_int)
+            continue;
           Yarn &yarn = yarns[fiber.yarn_id];
           yarn.set   = fiber.set;
           yarn.fibers.push_back(f);
@@ -48,7 +47,7 @@ namespace Heddle
 
 
     Post::CrossingCount
-    FabricReport::crossings() const
+    FabricReport::crossings(const Textile::Weave &weave) const
     {
       if (yarns.empty())
         return {};
@@ -108,8 +107,9 @@ namespace Heddle
       };
       for (const Yarn &yarn : yarns)
         {
-          const auto mean = mean_line(yarn.lines, n_mean_points);
-          add(yarn.set + "_crimp[-]", crimp(mean));
+          const std::string of_set = yarn.set.empty() ? "" : yarn.set + "_";
+          const auto        mean   = mean_line(yarn.lines, n_mean_points);
+          add(of_set + "crimp[-]", crimp(mean));
           for (unsigned int i = 0; i < n_stations; ++i)
             {
               // Near the ends of a yarn some of its fibers may be missing.
@@ -117,8 +117,8 @@ namespace Heddle
                 yarn.lines, yarn.radii, plane_at(mean, station(i, n_stations)));
               if (section.n_missing > 0)
                 continue;
-              add(yarn.set + "_aspect_ratio[-]", section.aspect_ratio());
-              add(yarn.set + "_volume_fraction[-]", section.volume_fraction());
+              add(of_set + "aspect_ratio[-]", section.aspect_ratio());
+              add(of_set + "volume_fraction[-]", section.volume_fraction());
             }
         }
       for (const auto &sum : sums)

@@ -63,8 +63,11 @@ namespace Heddle
       {
         std::vector<Condition> conditions = {
           {"Weave", "Run/Scene", {"weave"}},
-          {"Initial configuration", "Run/Scene", {"weave"}},
-          {"Centerlines", "Run/Scene", {"centerlines"}},
+          {"Initial configuration", "Run/Scene", {"centerlines"}, true},
+          {"Centerlines", "Run/Scene", {"weave"}, true},
+          {"Centerlines/Axial strain",
+           "Centerlines/Straight when free",
+           {"true"}},
           {"Weave/Crimp factor", "Weave/Start", {"crimped"}},
           {"Weave/Crimp transition", "Weave/Start", {"crimped"}},
           {"Weave/Weft yarns",

@@ -12,8 +12,7 @@ namespace Heddle
       , loads(Contributions::declare_loads(file))
     {
       file.apply();
-      newton.choose_for(/*fabric=*/run.scene == "weave",
-                        centerlines.straight_when_free);
+      newton.choose_for(run.is_fabric(), centerlines.straight_when_free);
     }
 
 
@@ -21,7 +20,7 @@ namespace Heddle
     void
     Parameters::check(const ParameterFile &file) const
     {
-      const bool        weaves = run.scene == "weave";
+      const bool        weaves = !run.is_from_file();
       const std::string wanted = weaves ? "Weave" : "Centerlines";
       const std::string other  = weaves ? "Centerlines" : "Weave";
       require(file.mentions("/" + wanted) || !file.mentions("/" + other),
@@ -37,15 +36,17 @@ namespace Heddle
                           "\"weave\": remove one of them."
                         : ": Centerlines/File is empty; name the file of the "
                           "centerlines."));
-      require(weaves || restart.initial_configuration.empty(),
+      require(run.is_fabric() || restart.initial_configuration.empty(),
               file.name() +
                 ": Restart/Initial configuration is given, but Run/Scene is "
-                "\"centerlines\": only a weave has an initial configuration.");
-      require(weaves || !fabric_loading.is_active(),
+                "\"centerlines\": only a weave and a measured fabric have an "
+                "initial configuration.");
+      require(run.is_fabric() || !fabric_loading.is_active(),
               file.name() +
                 ": Fabric loading/Kind is given, but Run/Scene is "
-                "\"centerlines\": only a weave has four sides to move; declare "
-                "sections \"Supports/Support 1\" and so on instead.");
+                "\"centerlines\": only a weave and a measured fabric have four "
+                "sides to move; declare sections \"Supports/Support 1\" and so "
+                "on instead.");
       require(!fabric_loading.is_active() ||
                 (supports.empty() && loads.empty()),
               file.name() +
@@ -89,9 +90,9 @@ namespace Heddle
                 support->entry("Matrix sides") +
                   " names sides, but Matrix/Enabled is false: leave them out, "
                   "or enable the matrix.");
-      require(are_held() || (weaves && loads.empty()),
-              file.name() + ": nothing holds the fibers; declare a section "
-                            "\"Supports/Support 1\".");
+      require(are_held() || loads.empty(),
+              file.name() + ": nothing holds the fibers against the loads; "
+                            "declare a section \"Supports/Support 1\".");
     }
 
 

@@ -91,6 +91,11 @@ namespace Heddle
         clear_folder();
       open_outputs(0);
       write_pictures(place, "start");
+      if (scene.stages().empty())
+        {
+          measure_yarns();
+          write_centerlines();
+        }
       write_summary();
     }
 
@@ -106,7 +111,8 @@ namespace Heddle
       if (place.stepping->finished())
         {
           if (scene.weave())
-            measure_fabric(summary.stages[place.stage], /*last=*/true);
+            count_crossings(summary.stages[place.stage]);
+          measure_yarns();
           write_centerlines();
         }
       write_summary();
@@ -208,6 +214,7 @@ namespace Heddle
       if (last)
         {
           summary.stages[place.stage].status = "converged";
+          measure_yarns();
           write_centerlines();
         }
       // Once there is a checkpoint, a run may go on from this configuration.
@@ -253,24 +260,34 @@ namespace Heddle
         }
       stage.max_bend_ratio = values["max_bend_ratio[-]"];
       if (scene.weave())
-        measure_fabric(stage, place.stepping->finished());
+        count_crossings(stage);
       add_to_history(place, result, values);
     }
 
 
 
     void
-    Recorder::measure_fabric(IO::StageSummary &stage, const bool last)
+    Recorder::count_crossings(IO::StageSummary &stage) const
     {
-      const FabricReport fabric(*scene.weave(), scene.state());
-      const auto         crossings = fabric.crossings();
-      stage.crossings_total        = crossings.total;
-      stage.crossings_wrong        = crossings.wrong;
-      const unsigned int n         = parameters.output.yarn_stations;
-      if (!last || n == 0 || !first_rank)
+      const auto crossings =
+        FabricReport(scene.state()).crossings(*scene.weave());
+      stage.crossings_total = crossings.total;
+      stage.crossings_wrong = crossings.wrong;
+    }
+
+
+
+    void
+    Recorder::measure_yarns()
+    {
+      const unsigned int n_stations = parameters.output.yarn_stations;
+      if (scene.space().n_yarns() == 0 || n_stations == 0)
         return;
-      summary.results = fabric.results(n);
-      write_file(directory + "/yarns.csv", fabric.yarns_csv(n));
+      const FabricReport fabric(scene.state());
+      if (!first_rank)
+        return;
+      summary.results = fabric.results(n_stations);
+      write_file(directory + "/yarns.csv", fabric.yarns_csv(n_stations));
     }
 
 

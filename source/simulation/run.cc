@@ -77,9 +77,13 @@ namespace Heddle
       {
         const System::FiberSpace &space  = scene.space();
         const MatrixEstimate      matrix = scene.estimated_matrix();
-        // Only a weave is elsewhere when its fibers are embedded.
-        require(matrix.objection.empty() || scene.weave(), matrix.objection);
-        log << "Fibers         " << space.n_fibers() << '\n'
+        // Only a fabric is elsewhere when its fibers are embedded.
+        require(matrix.objection.empty() || scene.is_fabric(),
+                matrix.objection);
+        log << "Fibers         " << space.n_fibers();
+        if (space.n_yarns() > 0)
+          log << " in " << space.n_yarns() << " yarns";
+        log << '\n'
             << "Extent         " << extent_in_words(scene) << " at the start\n"
             << "Nodes          " << space.n_nodes() << '\n'
             << "Unknowns       " << space.n_dofs() << '\n';
@@ -92,6 +96,13 @@ namespace Heddle
               << std::lround(3. * matrix.n_nodes)
               << " unknowns, around the fibers where they start\n";
         log << "Contributions  ";
+        if (scene.stages().empty())
+          {
+            log << "none: nothing holds or loads the fibers, which are "
+                   "measured as they are"
+                << std::endl;
+            return;
+          }
         std::string comma;
         for (const std::string &name : scene.contribution_names())
           {
@@ -109,11 +120,11 @@ namespace Heddle
             << "\nTime           about " << std::setprecision(1)
             << std::max(0.1, scene.estimated_seconds(matrix.n_nodes))
             << " s for a Newton iteration; "
-            << (scene.weave() &&
+            << (scene.is_fabric() &&
                     parameters.restart.initial_configuration.empty()
                   ? "an initial configuration takes 40 to 160, "
                   : "")
-            << "a load step " << (scene.weave() ? "3 to 20" : "3 to 60")
+            << "a load step " << (scene.is_fabric() ? "3 to 20" : "3 to 60")
             << std::endl;
       }
 

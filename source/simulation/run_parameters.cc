@@ -10,10 +10,14 @@ namespace Heddle
       add_parameter("Scene",
                     scene,
                     "'weave': the fabric of section Weave is brought to its "
-                    "initial configuration. 'centerlines': the fibers of a "
-                    "file, see section Centerlines, are loaded [-].",
+                    "initial configuration. 'measured fabric': so are the "
+                    "fibers of a file, see section Centerlines, which says to "
+                    "which yarn each belongs and whether it is of the set "
+                    "'warp', along x, or 'weft', along y. 'centerlines': the "
+                    "fibers of a file are loaded as section Supports says or, "
+                    "without any supports, measured as they are [-].",
                     prm,
-                    Patterns::Selection("weave|centerlines"));
+                    Patterns::Selection("weave|measured fabric|centerlines"));
       add_parameter("Output directory",
                     output_directory,
                     "Folder of all results, as seen from where the program is "

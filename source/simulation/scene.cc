@@ -46,10 +46,10 @@ namespace Heddle
 
       check_start();
       make_contributions();
-      if (fabric && parameters.restart.initial_configuration.empty())
+      if (is_fabric() && parameters.restart.initial_configuration.empty())
         {
-          if (parameters.weave.description().start ==
-              Textile::Start::interpenetrating)
+          if (woven && parameters.weave.description().start ==
+                         Textile::Start::interpenetrating)
             add_order_stage();
           add_settle_stages();
         }
@@ -71,21 +71,26 @@ namespace Heddle
     Scene::make_paths(const std::string &parameter_file)
     {
       const unsigned int n_nodes = parameters.fiber.element()->n_nodes();
-      if (parameters.run.scene == "weave")
+      if (!parameters.run.is_from_file())
         {
-          fabric =
+          woven =
             std::make_unique<Textile::Weave>(parameters.weave.description());
           const unsigned int n_elements = parameters.fiber.elements_per_fiber;
           require(n_elements <= most_elements,
                   "Fiber/Elements per fiber is " + std::to_string(n_elements) +
                     "; at most " + std::to_string(most_elements) +
                     " are possible.");
-          paths = fabric->paths(n_elements * (n_nodes - 1));
+          paths = woven->paths(n_elements * (n_nodes - 1));
         }
       else
-        paths = Textile::read_paths(
-          relative_to(parameter_file, parameters.centerlines.file),
-          parameters.centerlines.reading(n_nodes));
+        {
+          const std::string file =
+            relative_to(parameter_file, parameters.centerlines.file);
+          paths =
+            Textile::read_paths(file, parameters.centerlines.reading(n_nodes));
+          if (is_fabric())
+            measured = std::make_unique<Textile::MeasuredFabric>(paths, file);
+        }
     }
 
 
@@ -94,7 +99,7 @@ namespace Heddle
     Scene::check_start() const
     {
       const auto weave = parameters.weave.description();
-      if (!fabric || weave.start != Textile::Start::crimped ||
+      if (!woven || weave.start != Textile::Start::crimped ||
           weave.crimp_factor > 0.)
         return;
 
@@ -112,7 +117,7 @@ namespace Heddle
     void
     Scene::make_contributions()
     {
-      const bool straight = fabric || parameters.centerlines.straight_when_free;
+      const bool straight = woven || parameters.centerlines.straight_when_free;
       fiber_elasticity    = std::make_shared<Contributions::FiberElasticity>(
         *fiber_space, straight ? place_straight(*fiber_space) : initial_blocks);
       if (parameters.contact.enabled && fibers_can_touch())
@@ -121,7 +126,7 @@ namespace Heddle
       if (fiber_contact && parameters.contact.has_friction())
         fiber_friction = std::make_shared<Contributions::FiberFriction>(
           *fiber_space, parameters.contact, *fiber_contact);
-      if (fabric)
+      if (is_fabric())
         guides = yarn_guides(*fiber_space, paths, parameters.settle);
     }
 
@@ -145,7 +150,7 @@ namespace Heddle
               "Contact/Enabled is false, but yarns that start "
               "'interpenetrating' are ordered by contact: enable it.");
       std::vector<Contributions::OrderedYarns> yarns;
-      for (const Textile::Crossing &crossing : fabric->crossings())
+      for (const Textile::Crossing &crossing : woven->crossings())
         if (crossing.warp_on_top)
           yarns.push_back({crossing.warp_yarn, crossing.weft_yarn});
         else
@@ -260,12 +265,12 @@ namespace Heddle
     std::string
     Scene::wrong_crossings() const
     {
-      if (!fabric)
+      if (!woven)
         return "";
       // One rank knows all fibers, and all have to know what it says.
       const auto crossings = Utilities::MPI::broadcast(
         fiber_space->communicator(),
-        FabricReport(*fabric, *configuration).crossings());
+        FabricReport(*configuration).crossings(*woven));
       if (crossings.wrong == 0)
         return "";
       return std::to_string(crossings.wrong) + " of " +
@@ -279,7 +284,7 @@ namespace Heddle
     Scene::overlap_at_start() const
     {
       constexpr double much = 0.5;
-      if (fabric || !fiber_contact)
+      if (woven || !fiber_contact)
         return "";
       System::State start(*fiber_space);
       start.set(initial_blocks);
@@ -296,14 +301,27 @@ namespace Heddle
 
 
 
+    Contributions::FabricSize
+    Scene::fabric_size() const
+    {
+      if (measured)
+        {
+          const auto n       = measured->n_yarns();
+          const auto spacing = measured->spacing();
+          return {{{n[0] * spacing[0], n[1] * spacing[1]}}, {{n[0], n[1]}}};
+        }
+      const Textile::WeaveDescription weave = parameters.weave.description();
+      return {{{weave.warp.n_yarns * woven->warp_spacing(),
+                weave.weft.n_yarns * woven->weft_spacing()}},
+              {{weave.warp.n_yarns, weave.weft.n_yarns}}};
+    }
+
+
+
     void
     Scene::add_load_cases()
     {
-      const Textile::WeaveDescription weave = parameters.weave.description();
-      const Contributions::FabricSize size  = {
-         {{weave.warp.n_yarns * fabric->warp_spacing(),
-           weave.weft.n_yarns * fabric->weft_spacing()}},
-         {{weave.warp.n_yarns, weave.weft.n_yarns}}};
+      const Contributions::FabricSize size = fabric_size();
       fabric_cases = parameters.fabric_loading.cases(parameters.matrix.enabled);
       for (const Contributions::FabricCase &test : fabric_cases)
         {
@@ -330,11 +348,11 @@ namespace Heddle
       if (!parameters.loads.empty())
         stage.contributions.push_back(std::make_shared<Contributions::Loads>(
           *fiber_space, initial_blocks, parameters.loads));
-      if (fabric)
+      if (is_fabric())
         add_section_damping(stage, fiber_friction != nullptr);
       if (fiber_contact)
         stage.contributions.push_back(fiber_contact);
-      if (fabric && fiber_contact)
+      if (is_fabric() && fiber_contact)
         stage.set_up =
           [contact = fiber_contact,
            threshold =
@@ -349,7 +367,7 @@ namespace Heddle
     bool
     Scene::ends_initially(const unsigned int stage) const
     {
-      return fabric && !all_stages[stage].is_loaded &&
+      return is_fabric() && !all_stages[stage].is_loaded &&
              (stage + 1 == all_stages.size() ||
               all_stages[stage + 1].is_loaded);
     }
@@ -359,7 +377,7 @@ namespace Heddle
     void
     Scene::begin_loading()
     {
-      if (fabric && parameters.restart.stress_free)
+      if (is_fabric() && parameters.restart.stress_free)
         {
           fiber_elasticity->set_reference(state());
           if (fiber_contact)

@@ -14,7 +14,7 @@ namespace Heddle
                     axial_tension,
                     "Strain by which the force on both ends of every fiber, "
                     "along its yarn, would stretch it if it were straight. "
-                    "Inactive unless Run/Scene is 'weave', like all of this "
+                    "Inactive if Run/Scene is 'centerlines', like all of this "
                     "section [-].",
                     prm,
                     Patterns::Double(0., 0.1));

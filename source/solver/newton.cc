@@ -40,8 +40,8 @@ namespace Heddle
       /**
        * Nor need linear systems be solved as well: a tolerance so many times
        * looser saves a tenth of the time of the paper's fabrics, at as many
-       * iterations (doc/what_was_tried.md). Where no friction follows it takes more
-       * of them.
+       * iterations (doc/what_was_tried.md). Where no friction follows it takes
+       * more of them.
        */
       constexpr double looser_before_friction = 3.;
 

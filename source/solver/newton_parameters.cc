@@ -12,22 +12,22 @@ namespace Heddle
                     "Largest unbalanced nodal force that is accepted, over the "
                     "mean contact force, which counts as no less than a "
                     "hundredth of the largest in the stage, or over the "
-                    "largest force where nothing touches; 0: 0.01 for a weave, "
-                    "1e-5 for centerlines [-].",
+                    "largest force where nothing touches; 0: 0.01 for a weave "
+                    "or a measured fabric, 1e-5 for centerlines [-].",
                     prm,
                     Patterns::Double(0., 1.));
       add_parameter("Increment tolerance",
                     given_increment,
                     "Largest motion in the last iteration that is accepted, as "
                     "a multiple of the smallest fiber radius; 0: 0.1 for a "
-                    "weave, 1e-3 for centerlines [-].",
+                    "weave or a measured fabric, 1e-3 for centerlines [-].",
                     prm,
                     Patterns::Double(0., 1.));
       add_parameter("Maximum iterations",
                     given_iterations,
                     "Iterations after which a load step is given up; 0: 500 "
-                    "for a weave and for centerlines that are straight when "
-                    "free, 60 for others [-].",
+                    "for a weave, a measured fabric and centerlines that are "
+                    "straight when free, 60 for others [-].",
                     prm,
                     Patterns::Integer(0));
       add_parameter("Damping",

@@ -15,7 +15,8 @@ namespace Heddle
        * Fibers of a part, at most, as long as that makes no more than so many
        * parts of a yarn, for the coarse system grows with them. In load steps
        * of the paper's fabric parts of 36, 18, 12, 9 and 6 fibers take 45, 36,
-       * 30, 34 and 31 iterations of conjugate gradients (doc/what_was_tried.md).
+       * 30, 34 and 31 iterations of conjugate gradients
+       * (doc/what_was_tried.md).
        */
       constexpr unsigned int largest_part = 12;
       constexpr unsigned int most_parts   = 4;

@@ -82,6 +82,8 @@ namespace Heddle
           fiber.bundle_id  = description.bundle_id;
           fiber.set        = description.set;
           fiber.section    = description.section;
+          if (fiber.yarn_id != numbers::invalid_unsigned_int)
+            yarns = std::max(yarns, fiber.yarn_id + 1);
 
           arc_lengths.push_back(0.);
           double begin = 0.;

@@ -22,6 +22,7 @@ namespace Heddle
         std::vector<Tensor<1, 3>> points;
         double                    sum_of_radii = 0.;
         std::string               set;
+        std::string               yarn;
         unsigned int              first_line = 0;
       };
 
@@ -59,6 +60,31 @@ namespace Heddle
 
 
 
+      /** What column @p name says of the whole fiber; nothing without it. */
+      std::string
+      word_of_fiber(const CsvTable &table, const std::string &name)
+      {
+        return table.has(name) ? table.text(name) : "";
+      }
+
+
+
+      /** Refuse that @p fiber is of another @p kind here than it was before. */
+      void
+      check_same(const CsvTable    &table,
+                 const RawFiber    &fiber,
+                 const std::string &kind,
+                 const std::string &before)
+      {
+        const std::string here = word_of_fiber(table, kind);
+        if (here != before)
+          table.fail("fiber '" + fiber.name + "' belongs to " + kind + " '" +
+                     here + "' here but to '" + before +
+                     "' before; give all its points the same " + kind + ".");
+      }
+
+
+
       /** Add the point of the current line to its fiber. */
       void
       add_point(const CsvTable    &table,
@@ -67,19 +93,18 @@ namespace Heddle
       {
         const Tensor<1, 3> point(
           {table.number("x"), table.number("y"), table.number("z")});
-        const std::string set = table.has("set") ? table.text("set") : "";
 
         if (fiber.points.empty())
           {
             fiber.name       = table.text("fiber");
-            fiber.set        = set;
+            fiber.set        = word_of_fiber(table, "set");
+            fiber.yarn       = word_of_fiber(table, "yarn");
             fiber.first_line = table.line();
           }
-        else if (fiber.set != set)
-          table.fail("fiber '" + fiber.name + "' belongs to set '" + set +
-                     "' here but to '" + fiber.set +
-                     "' before; give all its points the same set.");
-        else if ((reading.scale * point - fiber.points.back()).norm() == 0.)
+        check_same(table, fiber, "set", fiber.set);
+        check_same(table, fiber, "yarn", fiber.yarn);
+        if (!fiber.points.empty() &&
+            (reading.scale * point - fiber.points.back()).norm() == 0.)
           table.fail("fiber '" + fiber.name +
                      "' has the same point twice in a row; remove one.");
 
@@ -95,7 +120,7 @@ namespace Heddle
                   const PathReading &reading)
       {
         CsvTable table(
-          input, name, {"fiber", "x", "y", "z"}, {"radius", "set"});
+          input, name, {"fiber", "x", "y", "z"}, {"radius", "set", "yarn"});
         if (reading.radius == 0. && !table.has("radius"))
           table.fail("there is no column 'radius' and no radius was given; add "
                      "the column, or set the radius of all fibers.");
@@ -117,6 +142,42 @@ namespace Heddle
           throw InputError(name + ": there are no points below the header; "
                                   "give at least two for each fiber.");
         return fibers;
+      }
+
+
+
+      /**
+       * Number the yarns in the order in which they appear. A yarn runs in one
+       * direction: all its fibers are of one set.
+       */
+      void
+      number_yarns(const std::vector<RawFiber> &fibers,
+                   const std::string           &name,
+                   std::vector<FiberPath>      &paths)
+      {
+        struct Yarn
+        {
+          unsigned int    number;
+          const RawFiber *first;
+        };
+        std::map<std::string, Yarn> yarns;
+        for (unsigned int f = 0; f < fibers.size(); ++f)
+          {
+            const RawFiber &fiber = fibers[f];
+            if (fiber.yarn.empty())
+              continue;
+            const unsigned int next = yarns.size();
+            const Yarn        &yarn =
+              yarns.emplace(fiber.yarn, Yarn{next, &fiber}).first->second;
+            if (yarn.first->set != fiber.set)
+              throw InputError(name + ":" + std::to_string(fiber.first_line) +
+                               ": fiber '" + fiber.name + "' belongs to set '" +
+                               fiber.set + "', but '" + yarn.first->name +
+                               "' of the same yarn '" + fiber.yarn + "' to '" +
+                               yarn.first->set +
+                               "'; give all fibers of a yarn the same set.");
+            paths[f].yarn_id = yarn.number;
+          }
       }
 
 
@@ -152,7 +213,7 @@ namespace Heddle
                          n_samples);
         FiberPath path;
         path.points           = knots.points;
-        path.reference_length = knots.length;
+        path.reference_length = knots.length / (1. + reading.axial_strain);
         path.radius           = fiber.sum_of_radii / fiber.points.size();
         path.set              = fiber.set;
         return path;
@@ -167,9 +228,11 @@ namespace Heddle
                const PathReading &reading)
     {
       check(reading);
-      std::vector<FiberPath> paths;
-      for (const RawFiber &fiber : read_points(input, name, reading))
+      const std::vector<RawFiber> fibers = read_points(input, name, reading);
+      std::vector<FiberPath>      paths;
+      for (const RawFiber &fiber : fibers)
         paths.push_back(resample(fiber, name, reading));
+      number_yarns(fibers, name, paths);
       return paths;
     }
 

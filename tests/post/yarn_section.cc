@@ -1,5 +1,6 @@
 // Sections of a straight yarn have the width, height and areas of its packing,
-// along x and along y, and a cosine has the crimp of the elliptic integral.
+// along x, along y and along z, and if some of its fibers run the other way; a
+// cosine has the crimp of the elliptic integral.
 #include <heddle/base/mean_line.h>
 #include <heddle/post/yarn_section.h>
 #include <heddle/textile/weave.h>
@@ -13,7 +14,10 @@ using namespace Heddle;
 
 
 void
-cut(const Textile::Weave &weave, const unsigned int yarn)
+cut(const Textile::Weave &weave,
+    const unsigned int    yarn,
+    const bool            upright   = false,
+    const bool            turn_some = false)
 {
   std::vector<Polyline> lines;
   std::vector<double>   radii;
@@ -22,6 +26,11 @@ cut(const Textile::Weave &weave, const unsigned int yarn)
       {
         lines.push_back(fiber.points);
         radii.push_back(fiber.radius);
+        if (upright)
+          for (Tensor<1, 3> &point : lines.back())
+            point = Tensor<1, 3>({point[1], point[2], point[0]});
+        if (turn_some && lines.size() % 3 == 2)
+          std::reverse(lines.back().begin(), lines.back().end());
       }
   const auto mean    = mean_line(lines, 41);
   const auto section = Post::cut_yarn(lines, radii, plane_at(mean, 0.3));
@@ -47,6 +56,8 @@ main()
   description.weft                = description.warp;
   cut(Textile::Weave(description), 0);
   cut(Textile::Weave(description), 3);
+  cut(Textile::Weave(description), 3, /*upright=*/false, /*turn_some=*/true);
+  cut(Textile::Weave(description), 0, /*upright=*/true);
 
   description.warp.packing.fibers_per_bundle = 1;
   cut(Textile::Weave(description), 0);

@@ -23,7 +23,8 @@ read(const std::string &text, const PathReading &reading)
           smallest       = std::min(smallest, h);
           largest        = std::max(largest, h);
         }
-      deallog << "set '" << fiber.set << "', radius " << fiber.radius
+      deallog << "set '" << fiber.set << "', yarn "
+              << static_cast<int>(fiber.yarn_id) << ", radius " << fiber.radius
               << ", length " << fiber.reference_length << ", "
               << fiber.points.size() - 1 << " elements, chords " << smallest
               << " to " << largest << ", from " << fiber.points.front()
@@ -48,6 +49,14 @@ main()
        "0,0,10,left,a,1\n"
        "5,0,0,right,b,4\n"
        "0,0,11,left,a,1\n",
+       reading);
+
+  // Yarns are numbered as they appear; nothing is no yarn.
+  read("fiber,x,y,z,radius,yarn\n"
+       "1,0,0,0,1,left\n1,9,0,0,1,left\n"
+       "2,0,1,0,1,\n2,9,1,0,1,\n"
+       "3,0,2,0,1,right\n3,9,2,0,1,right\n"
+       "4,0,3,0,1,left\n4,9,3,0,1,left\n",
        reading);
 
   reading.scale          = 1.;

@@ -55,6 +55,9 @@ main()
   refuse(head + "1,0,0,0\n1,1,0,0\n# again\n1,1,0,0\n");
   refuse("fiber,x,y,z,radius\n1,0,0,0,1\n1,1,0,0,-1\n", 0.);
   refuse("fiber,x,y,z,set\n1,0,0,0,a\n1,1,0,0,b\n");
+  refuse("fiber,x,y,z,yarn\n1,0,0,0,a\n1,1,0,0,\n");
+  refuse("fiber,x,y,z,set,yarn\n1,0,0,0,a,7\n1,1,0,0,a,7\n"
+         "2,0,0,1,b,7\n2,1,0,1,b,7\n");
   refuse(head + "1,0,0,0\n1,1,0,0\n", 0.1, 0.);
   refuse(head + "1,0,0,0\n1,1,0,0\n", 0.1, 1e-9);
   refuse(head + "1,0,0,0\n1,1,0,0\n", -0.1);

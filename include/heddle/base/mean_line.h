@@ -39,7 +39,8 @@ namespace Heddle
 
   /**
    * Mean line of a yarn: at each of @p n_points equal fractions of their
-   * lengths, the mean of its fibers [mm].
+   * lengths, the mean of its fibers [mm]. It runs as the first one does; those
+   * that run against it are taken from their other ends.
    */
   Polyline
   mean_line(const std::vector<Polyline> &fibers, const unsigned int n_points);
@@ -51,8 +52,15 @@ namespace Heddle
   plane_at(const Polyline &mean_line, const double fraction);
 
   /**
-   * Crimp: by how much a line is longer than its projection on the direction
-   * from its first to its last point in the plane of the fabric [-].
+   * Whether a yarn in this direction runs through the thickness of a fabric,
+   * within 26 degrees of z, and not along its plane.
+   */
+  bool
+  is_steep(const Tensor<1, 3> &direction);
+
+  /**
+   * Crimp: by how much a line is longer than the way from its first to its last
+   * point in the plane of the fabric or, if that is steep, in space [-].
    */
   double
   crimp(const Polyline &mean_line);

@@ -16,7 +16,8 @@ namespace Heddle
 
     /**
      * What a plane shows of a yarn. Coordinates in the plane: the first axis
-     * lies in the plane of the fabric, the second one points up.
+     * lies in the plane of the fabric, the second one points up; where the yarn
+     * is steep (is_steep()) they lie along x and y.
      */
     struct YarnSection
     {

@@ -12,7 +12,10 @@ namespace Heddle
 {
   namespace Simulation
   {
-    /** What the current configuration of a weave looks like. */
+    /**
+     * What the yarns look like in the current configuration, of a weave or of
+     * centerlines from a file that says to which yarn fibers belong.
+     */
     class FabricReport
     {
     public:
@@ -21,11 +24,14 @@ namespace Heddle
        * something to say.
        * @note Collective.
        */
-      FabricReport(const Textile::Weave &weave, const System::State &state);
+      FabricReport(const System::State &state);
 
-      /** Pairs of fibers on the right and on the wrong side of each other. */
+      /**
+       * Pairs of fibers on the right and on the wrong side of each other, as
+       * @p weave, from which they are, wants them.
+       */
       Post::CrossingCount
-      crossings() const;
+      crossings(const Textile::Weave &weave) const;
 
       /**
        * The sections of all yarns at @p n_stations equal fractions of their
@@ -34,7 +40,7 @@ namespace Heddle
       std::string
       yarns_csv(const unsigned int n_stations) const;
 
-      /** Means over warp and weft yarns by name with unit. */
+      /** Means over the yarns of each set by name with unit. */
       std::map<std::string, double>
       results(const unsigned int n_stations) const;
 
@@ -51,7 +57,6 @@ namespace Heddle
       double
       thickness() const;
 
-      const Textile::Weave &weave;
       std::vector<Polyline> lines;
       std::vector<Yarn>     yarns;
     };

@@ -150,8 +150,14 @@ namespace Heddle
                    const double       time,
                    const std::string &group);
 
+      /** Of a weave, those that are not as its pattern wants. @note Collective.
+       */
       void
-      measure_fabric(IO::StageSummary &stage, const bool last);
+      count_crossings(IO::StageSummary &stage) const;
+
+      /** The sections of the yarns, if they are asked for. @note Collective. */
+      void
+      measure_yarns();
 
       /** If it is asked for. @note Collective. */
       void

@@ -17,6 +17,20 @@ namespace Heddle
     public:
       RunParameters(const std::string &section = "/Run");
 
+      /** Whether fibers come from a file, and not from a weave. */
+      bool
+      is_from_file() const
+      {
+        return scene != "weave";
+      }
+
+      /** Whether there are warp and weft, which settle before a load. */
+      bool
+      is_fabric() const
+      {
+        return scene != "centerlines";
+      }
+
       std::string scene            = "weave";
       std::string output_directory = "";
       bool        timing           = true;

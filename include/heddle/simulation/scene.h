@@ -8,6 +8,7 @@
 #include <heddle/simulation/parameters.h>
 #include <heddle/simulation/stage.h>
 #include <heddle/system/state.h>
+#include <heddle/textile/measured_fabric.h>
 #include <heddle/textile/weave.h>
 
 #include <map>
@@ -52,7 +53,14 @@ namespace Heddle
       const Textile::Weave *
       weave() const
       {
-        return fabric.get();
+        return woven.get();
+      }
+
+      /** Whether there are warp and weft, which settle before a load. */
+      bool
+      is_fabric() const
+      {
+        return parameters.run.is_fabric();
       }
 
       const Contributions::FiberElasticity &
@@ -196,6 +204,10 @@ namespace Heddle
       add_load_stage(const std::string                           &name,
                      const std::shared_ptr<System::Contribution> &supports);
 
+      /** What forces on the sides of the fabric are divided by. */
+      Contributions::FabricSize
+      fabric_size() const;
+
       /** A stage for each load case of the fabric. */
       void
       add_load_cases();
@@ -205,7 +217,8 @@ namespace Heddle
       begin_loading();
 
       const Parameters                               &parameters;
-      std::unique_ptr<Textile::Weave>                 fabric;
+      std::unique_ptr<Textile::Weave>                 woven;
+      std::unique_ptr<Textile::MeasuredFabric>        measured;
       std::vector<Textile::FiberPath>                 paths;
       std::unique_ptr<System::FiberSpace>             fiber_space;
       std::vector<Tensor<1, 3>>                       initial_blocks;

@@ -130,6 +130,13 @@ namespace Heddle
         return fibers.size();
       }
 
+      /** Yarns to which fibers belong; they are numbered from 0. */
+      unsigned int
+      n_yarns() const
+      {
+        return yarns;
+      }
+
       const Fiber &
       fiber(const unsigned int f) const
       {
@@ -346,6 +353,7 @@ namespace Heddle
       const unsigned int                   blocks_per_node;
       unsigned int                         this_rank;
       unsigned int                         total_nodes;
+      unsigned int                         yarns = 0;
       std::vector<Fiber>                   fibers;
       std::vector<double>                  arc_lengths;
 

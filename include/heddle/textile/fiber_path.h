@@ -37,7 +37,7 @@ namespace Heddle
       /** Radius of the circular section [mm]. */
       double radius = 0.;
 
-      /** Number of the yarn; warp yarns come before weft yarns. */
+      /** Number of the yarn; in a weave warp yarns come before weft yarns. */
       unsigned int yarn_id = no_id;
 
       /** Number of the bundle in its yarn. */

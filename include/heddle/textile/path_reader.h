@@ -34,20 +34,26 @@ namespace Heddle
       double scale = 1.;
 
       Interpolation interpolation = Interpolation::spline;
+
+      /** Of the fibers as they lie in the file, along their axes [-]. */
+      double axial_strain = 0.;
     };
 
 
 
     /**
      * Read fibers from comma-separated values: a header that names the columns
-     * in any order, `fiber,x,y,z[,radius][,set]`, then one line per point, the
-     * points of a fiber in their order along it. Fibers are told apart by the
-     * word in column `fiber` and numbered in the order in which they appear.
-     * Blank lines and everything behind a `#` are skipped. The radius of a
-     * fiber is the mean over its points, its set must be the same at all.
+     * in any order, `fiber,x,y,z[,radius][,set][,yarn]`, then one line per
+     * point, the points of a fiber in their order along it. Fibers are told
+     * apart by the word in column `fiber` and numbered in the order in which
+     * they appear, and so are yarns; without a word there a fiber belongs to
+     * none. Blank lines and everything behind a `#` are skipped. The radius of
+     * a fiber is the mean over its points, its set and its yarn must be the
+     * same at all, and so must the set of all fibers of a yarn.
      *
      * The knots returned are equally spaced along an interpolating curve, and
-     * the reference length is the arc length of this curve.
+     * the reference length is the arc length of this curve, less what it is
+     * strained by.
      *
      * Throws InputError, with file, line, what was found and what to do.
      */
