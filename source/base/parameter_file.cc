@@ -262,6 +262,9 @@ namespace Heddle
         line.clear();
       }
 
+    require(line.empty(),
+            file + ": the last statement ends with a backslash, but nothing "
+                   "follows: remove it, or go on in another line.");
     require(open_sections.size() == depth,
             file + ": the section \"" + join_path(open_sections) +
               "\" is not closed by \"end\".");

@@ -74,8 +74,18 @@ namespace Heddle
       centerlines.set(state, state.current());
       double largest = apart;
       for (Pair &pair : pairs)
-        largest = std::max(largest, overlap(state, pair));
+        largest = std::max(largest, overlap(pair));
       return Utilities::MPI::max(largest, space.communicator());
+    }
+
+
+
+    void
+    CrossingEnforcement::end()
+    {
+      pairs.clear();
+      elements.clear();
+      n_overlapping = mean_force = energy = deepest = 0.;
     }
 
 
@@ -85,8 +95,13 @@ namespace Heddle
     {
       centerlines.set(state, state.current());
       for (Pair &pair : pairs)
-        if (overlap(state, pair) > apart)
-          pair.climb = std::min(pair.crossing.normal.norm(), steepest);
+        {
+          Assert(state.held_nodes(pair.upper) == space.all_nodes(pair.upper) &&
+                   state.held_nodes(pair.lower) == space.all_nodes(pair.lower),
+                 ExcMessage("Fibers that cross are not held whole."));
+          if (overlap(pair) > apart)
+            pair.climb = std::min(pair.crossing.normal.norm(), steepest);
+        }
     }
 
 
@@ -101,10 +116,9 @@ namespace Heddle
 
 
     double
-    CrossingEnforcement::overlap(const System::State &state, Pair &pair) const
+    CrossingEnforcement::overlap(Pair &pair) const
     {
-      if (!state.has(pair.upper) || !state.has(pair.lower) ||
-          !Contact::find_projected_crossing(centerlines.curve(pair.upper),
+      if (!Contact::find_projected_crossing(centerlines.curve(pair.upper),
                                             centerlines.curve(pair.lower),
                                             pair.crossing))
         return apart;
@@ -122,7 +136,7 @@ namespace Heddle
       elements.clear();
       for (Pair &pair : pairs)
         {
-          const double penetration = overlap(state, pair) - allowance;
+          const double penetration = overlap(pair) - allowance;
           if (penetration > 0.)
             elements.push_back(make_element(state, pair, penetration));
         }

@@ -1,3 +1,4 @@
+#include <heddle/base/throw_together.h>
 #include <heddle/beam/end_moment.h>
 #include <heddle/contributions/loads.h>
 #include <heddle/system/block_archive.h>
@@ -169,8 +170,22 @@ namespace Heddle
     void
     Loads::begin_step(System::State &state)
     {
-      std::fill(external.begin(), external.end(), Tensor<1, 3>());
       std::vector<double> sums(3 * totals.size(), 0.);
+      throw_together([&]() { evaluate_all(state.load_factor, sums); },
+                     space.communicator());
+      Utilities::MPI::sum(sums, space.communicator(), sums);
+      for (unsigned int k = 0; k < sums.size(); ++k)
+        totals[k / 3][k % 3] = sums[k];
+      predicted = false;
+      find_largest_force();
+    }
+
+
+
+    void
+    Loads::evaluate_all(const double load_factor, std::vector<double> &sums)
+    {
+      std::fill(external.begin(), external.end(), Tensor<1, 3>());
       for (const Force &force : forces)
         {
           const Tensor<1, 3> value =
@@ -178,21 +193,15 @@ namespace Heddle
                                       ? forces_per_length_of[force.load]
                                       : forces_of[force.load],
                                     force.position,
-                                    state.load_factor);
+                                    load_factor);
           external[force.block] += value;
           if (force.block % (n_vectors + 1) == 0)
             for (unsigned int d = 0; d < 3; ++d)
               sums[3 * force.load + d] += value[d];
         }
-      Utilities::MPI::sum(sums, space.communicator(), sums);
-      for (unsigned int k = 0; k < sums.size(); ++k)
-        totals[k / 3][k % 3] = sums[k];
-
       for (Moment &moment : moments)
         moment.value =
-          evaluate(moments_of[moment.load], moment.position, state.load_factor);
-      predicted = false;
-      find_largest_force();
+          evaluate(moments_of[moment.load], moment.position, load_factor);
     }
 
 

@@ -1,3 +1,4 @@
+#include <heddle/base/throw_together.h>
 #include <heddle/contributions/supports.h>
 #include <heddle/system/block_archive.h>
 
@@ -69,6 +70,22 @@ namespace Heddle
       reference.assign(state.current().begin(),
                        state.current().begin() + state.n_owned_blocks());
       blocks = find_held_blocks(space, reference, supports, state.matrix());
+    }
+
+
+
+    void
+    Supports::begin_step(System::State &state)
+    {
+      // Whatever formulas say of this load factor they say again to
+      // constrain().
+      throw_together(
+        [&]() {
+          for (const HeldBlock &held : blocks)
+            if (held.local_block(state) != HeldBlock::nobody)
+              target(held, state.load_factor);
+        },
+        space.communicator());
     }
 
 

@@ -32,6 +32,8 @@ namespace Heddle
               line.substr(begin, end_mark.size()) < end_mark)
             entries.push_back(line);
         }
+      file.close();
+      write_list();
     }
 
 
@@ -84,7 +86,14 @@ namespace Heddle
       entry << "    <DataSet timestep=\"" << time << "\" group=\"" << stage
             << "\" part=\"0\" file=\"" << file_name(number) << "\"/>";
       entries.push_back(entry.str());
+      write_list();
+    }
 
+
+
+    void
+    Collection::write_list() const
+    {
       std::string list = "<?xml version=\"1.0\"?>\n"
                          "<VTKFile type=\"Collection\" version=\"0.1\" "
                          "byte_order=\"LittleEndian\">\n  <Collection>\n";

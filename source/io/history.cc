@@ -31,6 +31,14 @@ namespace Heddle
       table.begin_row();
       for (const auto &entry : row)
         table.set(entry.first, entry.second);
+      write();
+    }
+
+
+
+    void
+    History::write() const
+    {
       if (first_rank)
         table.write(path);
     }

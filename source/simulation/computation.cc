@@ -156,6 +156,7 @@ namespace Heddle
         return;
 
       // A step of no motion leaves the forces from which work counts.
+      stage.set_up(/*load_factor=*/0.);
       for (const auto &contribution : stage.contributions)
         contribution->begin_step(state);
       const double ratio = newton.residual_ratio(state, stage.contributions);
@@ -167,8 +168,8 @@ namespace Heddle
       // What was held until now comes to rest before anything moves.
       if (ratio > 0.)
         stepping[place.stage]->begin_at_zero();
-      else
-        place.predictor.begin(state);
+      // A case before this one tells nothing of it.
+      place.predictor.begin(state);
     }
 
 
@@ -203,10 +204,9 @@ namespace Heddle
                 throw NotConverged(
                   "No equilibrium in " + where + " after " +
                   std::to_string(result.iterations) + " iterations" +
-                  (result.iterations == parameters.newton.max_iterations
-                     ? ", as many as Newton/Maximum iterations "
-                       "allows"
-                     : "") +
+                  (result.used_up ? ", as many as Newton/Maximum iterations "
+                                    "allows for a search"
+                                  : "") +
                   ": " + why + ".");
               log << "  not converged: " << why << "; the step is halved"
                   << std::endl;
@@ -261,6 +261,7 @@ namespace Heddle
           total.residual_ratio = result.residual_ratio;
           total.obstacle       = result.obstacle;
           total.converged      = result.converged;
+          total.used_up        = result.used_up;
 
           // Only now is it known whether fibers came near each other.
           const bool rough =

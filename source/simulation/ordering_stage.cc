@@ -24,6 +24,22 @@ namespace Heddle
 
 
 
+      /**
+       * Copies of all fibers: those that cross may have to pass each other by
+       * more than fibers that touch do.
+       */
+      void
+      hold_all_fibers(System::State &state)
+      {
+        std::vector<System::GhostFiber> ghosts;
+        for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
+          if (!state.space.owns(f))
+            ghosts.push_back({f, state.space.all_nodes(f)});
+        state.set_ghost_fibers(ghosts);
+      }
+
+
+
       void
       count(const Solver::NewtonResult &solved, OrderingResult &result)
       {
@@ -90,6 +106,7 @@ namespace Heddle
                        Contributions::FiberContact        &contact,
                        Contributions::CrossingEnforcement &enforcement)
     {
+      hold_all_fibers(state);
       contact.restrict_to([&enforcement](unsigned int a, unsigned int b) {
         return !enforcement.enforces(a, b);
       });

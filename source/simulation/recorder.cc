@@ -104,6 +104,9 @@ namespace Heddle
     void
     Recorder::continue_from(const Place &place)
     {
+      // What came after the checkpoint is not listed any more.
+      if (place.number > 0)
+        history.write();
       open_outputs(place.number == 0 ? 0 : place.number + 1);
       if (place.number == 0)
         write_pictures(place, "start");
@@ -234,7 +237,9 @@ namespace Heddle
       const bool         last = place.stepping->finished();
       if (!parameters.output.checkpoint_due(step, last))
         write_checkpoint(place);
-      if (parameters.output.interval > 0 && !parameters.output.due(step, last))
+      // A step to load factor 0 has no picture (OutputParameters::due()).
+      if (parameters.output.interval > 0 && step > 0 &&
+          !parameters.output.due(step, last))
         {
           write_pictures(place, scene.stages()[place.stage].name);
           summary.stages[place.stage].last_output = place.number;

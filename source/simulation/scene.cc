@@ -48,10 +48,10 @@ namespace Heddle
       make_contributions();
       if (is_fabric() && parameters.restart.initial_configuration.empty())
         {
+          add_settle_stages();
           if (woven && parameters.weave.description().start ==
                          Textile::Start::interpenetrating)
             add_order_stage();
-          add_settle_stages();
         }
       if (parameters.fabric_loading.is_active())
         add_load_cases();
@@ -181,7 +181,14 @@ namespace Heddle
         result.obstacle          = "fibers are on the wrong side of each other";
         return result;
       };
-      all_stages.push_back(stage);
+
+      // What follows holds the ghosts that it needs, and reports no
+      // enforcement.
+      all_stages.front().begin = [this, enforcement]() {
+        state().set_ghost_fibers({});
+        enforcement->end();
+      };
+      all_stages.insert(all_stages.begin(), stage);
     }
 
 

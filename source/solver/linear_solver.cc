@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -196,7 +197,10 @@ namespace Heddle
     {
       KSPDestroy(&iterating);
       KSPDestroy(&improving);
-      KSPDestroy(&factorizing);
+      // Ranks release a factorization of MUMPS together: who failed alone would
+      // wait for ever, and not get to where it says so.
+      if (std::uncaught_exceptions() == 0)
+        KSPDestroy(&factorizing);
     }
 
 

@@ -173,6 +173,14 @@ namespace Heddle
           result.residual_ratio = residual.ratio;
           result.iterations     = iteration;
           report(iteration, residual, result, contributions);
+          if (!std::isfinite(residual.largest_force))
+            {
+              result.obstacle =
+                "the force on " +
+                largest_imbalance(*block_system, contributions) +
+                " is no finite number";
+              return result;
+            }
 
           const bool calm = rough && iteration > 0 &&
                             result.increment < calmness.motion &&
@@ -215,6 +223,7 @@ namespace Heddle
             }
           if (iteration == parameters.max_iterations)
             {
+              result.used_up = true;
               if (!balanced)
                 result.obstacle = describe_imbalance(
                   contributions, residual.ratio, result.increment);
@@ -265,7 +274,11 @@ namespace Heddle
 
           // Chance makes a tangent that is not positive definite singular.
           if (linear.singular && rough && damping->raise())
-            continue;
+            {
+              // How far fibers have to move is not known.
+              result.increment = std::numeric_limits<double>::infinity();
+              continue;
+            }
           const double motion = largest_motion(state, increment);
           if (linear.singular || !std::isfinite(motion))
             {
@@ -387,8 +400,12 @@ namespace Heddle
             return part;
         }
 
-      const double held =
-        Utilities::MPI::sum(damping->curvature(state, increment), communicator);
+      // What is prescribed is no unknown, and not damped.
+      System::Increment of_unknowns = increment;
+      block_system->constraints().turn_into_frames(of_unknowns);
+      block_system->constraints().clear_fixed(of_unknowns);
+      const double held = Utilities::MPI::sum(
+        damping->curvature(state, of_unknowns), communicator);
       LineSearch along(state, contributions, *block_system, increment, held);
       return along.best_step(std::min(largest, longest));
     }

@@ -7,12 +7,53 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace Heddle
 {
   namespace Solver
   {
+    namespace
+    {
+      /** The size of a force; what is no number is larger than all numbers. */
+      double
+      size_of(const Tensor<1, 3> &force)
+      {
+        const double size = force.norm();
+        return std::isnan(size) ? std::numeric_limits<double>::infinity()
+                                : size;
+      }
+
+
+
+      /**
+       * Call @p action (block, fiber, node, scale) for the blocks of own
+       * fibers. A block that is no position answers with a moment: per element
+       * length, which is the scale, that is a force.
+       */
+      template <typename Action>
+      void
+      for_each_fiber_block(const System::State &state, const Action &action)
+      {
+        const System::FiberSpace &space = state.space;
+        const unsigned int        n     = space.n_blocks_per_node();
+        const auto                owned = space.owned_fibers();
+        for (unsigned int f = owned.first; f < owned.second; ++f)
+          {
+            const double length =
+              space.fiber(f).length / (space.fiber(f).n_nodes - 1);
+            for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+              action(state.local_block(f) + b,
+                     f,
+                     b / n,
+                     b % n == 0 ? 1. : 1. / length);
+          }
+      }
+    } // namespace
+
+
+
     Residual
     judge(const System::BlockSystem             &system,
           const Contributions                   &contributions,
@@ -24,39 +65,32 @@ namespace Heddle
       std::vector<Tensor<1, 3>> unbalanced;
       system.unbalanced(unbalanced);
 
-      // A block that is no position answers with a moment: per element length
-      // that is a force.
-      std::array<double, 3> largest = {};
-      std::array<double, 2> sums    = {};
-      const auto            owned   = space.owned_fibers();
-      for (unsigned int f = owned.first; f < owned.second; ++f)
-        {
-          const double length =
-            space.fiber(f).length / (space.fiber(f).n_nodes - 1);
-          for (unsigned int b = 0; b < space.n_blocks(f); ++b)
-            {
-              const unsigned int k     = state.local_block(f) + b;
-              const bool   is_position = b % space.n_blocks_per_node() == 0;
-              const double scale       = is_position ? 1. : 1. / length;
-              if (is_position)
-                {
-                  sums[0] += unbalanced[k].norm_square();
-                  sums[1] += 1.;
-                }
-              largest[0] = std::max(largest[0], scale * unbalanced[k].norm());
-              largest[1] =
-                std::max(largest[1], scale * system.residual()[k].norm());
-            }
-        }
+      std::array<double, 3> largest     = {};
+      std::array<double, 2> sums        = {};
+      const auto            of_position = [&](const unsigned int k) {
+        sums[0] += unbalanced[k].norm_square();
+        sums[1] += 1.;
+      };
+      const auto of_block = [&](const unsigned int k, const double scale) {
+        largest[0] = std::max(largest[0], scale * size_of(unbalanced[k]));
+        largest[1] =
+          std::max(largest[1], scale * size_of(system.residual()[k]));
+      };
+      for_each_fiber_block(state,
+                           [&](const unsigned int k,
+                               const unsigned int,
+                               const unsigned int,
+                               const double scale) { of_block(k, scale); });
+      for (unsigned int k = 0; k < state.n_owned_fiber_blocks();
+           k += space.n_blocks_per_node())
+        of_position(k);
       for (unsigned int k = state.n_owned_fiber_blocks();
            k < state.n_owned_blocks();
            ++k)
         {
-          sums[0] += unbalanced[k].norm_square();
-          sums[1] += 1.;
-          largest[0] = std::max(largest[0], unbalanced[k].norm());
-          largest[1] = std::max(largest[1], system.residual()[k].norm());
-          largest[2] = std::max(largest[2], unbalanced[k].norm());
+          of_position(k);
+          of_block(k, 1.);
+          largest[2] = std::max(largest[2], size_of(unbalanced[k]));
         }
       max_over_ranks(largest, space.communicator());
       sum_over_ranks(sums, space.communicator());
@@ -101,7 +135,8 @@ namespace Heddle
       std::string
       place_in_words(const System::State &state,
                      const unsigned int   block,
-                     const unsigned int   fiber)
+                     const unsigned int   fiber,
+                     const unsigned int   node)
       {
         std::ostringstream text;
         text << std::setprecision(3);
@@ -114,7 +149,11 @@ namespace Heddle
             if (yarn != numbers::invalid_unsigned_int)
               text << " of yarn " << yarn;
           }
-        const Tensor<1, 3> &place = state.current()[block];
+        const Tensor<1, 3> &place =
+          state.current()[block >= state.n_owned_fiber_blocks()
+                            ? block
+                            : state.local_block(fiber) +
+                                node * state.space.n_blocks_per_node()];
         text << " near (" << place[0] << ", " << place[1] << ", " << place[2]
              << ")";
         return text.str();
@@ -133,26 +172,30 @@ namespace Heddle
       system.unbalanced(unbalanced);
       double       largest = -1.;
       unsigned int fiber = 0, node = 0, block = 0;
-      const auto   consider = [&](const unsigned int candidate) {
-        const double force = unbalanced[candidate].norm();
+      const auto   consider = [&](const unsigned int candidate,
+                                const double       scale) {
+        const double force = scale * size_of(unbalanced[candidate]);
         if (force <= largest)
           return false;
         largest = force;
         block   = candidate;
         return true;
       };
-      const auto owned = space.owned_fibers();
-      for (unsigned int f = owned.first; f < owned.second; ++f)
-        for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
-          if (consider(state.local_block(f) + i * space.n_blocks_per_node()))
-            {
-              fiber = f;
-              node  = i;
-            }
+      for_each_fiber_block(state,
+                           [&](const unsigned int candidate,
+                               const unsigned int f,
+                               const unsigned int i,
+                               const double       scale) {
+                             if (consider(candidate, scale))
+                               {
+                                 fiber = f;
+                                 node  = i;
+                               }
+                           });
       for (unsigned int b = state.n_owned_fiber_blocks();
            b < state.n_owned_blocks();
            ++b)
-        consider(b);
+        consider(b, 1.);
 
       // The rank that has it says where it is.
       const auto where =
@@ -161,7 +204,7 @@ namespace Heddle
       if (where.max_index ==
           Utilities::MPI::this_mpi_process(space.communicator()))
         {
-          text              = place_in_words(state, block, fiber);
+          text              = place_in_words(state, block, fiber, node);
           std::string begin = ", where it touches fiber ";
           if (block < state.n_owned_fiber_blocks())
             for (const auto &contribution : contributions)

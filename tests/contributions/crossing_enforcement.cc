@@ -84,12 +84,24 @@ struct Scene
   }
 
   double
+  reported(const std::string &name) const
+  {
+    std::map<std::string, double> values;
+    enforcement.report(state, values);
+    return values[name];
+  }
+
+  double
+  n_active() const
+  {
+    return reported("enforced_crossings[-]");
+  }
+
+  double
   energy(const Blocks &direction, const double step)
   {
     move(direction, step);
-    std::map<std::string, double> values;
-    enforcement.report(state, values);
-    return values["enforcement_energy[N*mm]"];
+    return reported("enforcement_energy[N*mm]");
   }
 
   double
@@ -165,7 +177,7 @@ check(const Simulation::FiberParameters &fiber, const unsigned int seed)
   const auto assembled = scene.assembled(any);
   const auto told = scene.enforcement.slope_and_curvature(scene.state, any);
   deallog << fiber.element_name << " " << seed << ": active "
-          << static_cast<unsigned int>(scene.enforcement.n_active())
+          << static_cast<unsigned int>(scene.n_active())
           << ", order of the forces "
           << order([&](const double h) { return scene.energy(any, h); },
                    assembled.first);

@@ -44,8 +44,7 @@ namespace Heddle
      * particles move, but only along the fibers. The tangent leaves out the
      * second derivative of g, which is zero for motion along z.
      *
-     * @note Holds pairs of fibers whose blocks the state has. Contributions
-     * that choose the ghosts, such as FiberContact, come before this one.
+     * @note The state must hold all fibers that cross own ones, whole.
      */
     class CrossingEnforcement : public System::Contribution
     {
@@ -78,12 +77,9 @@ namespace Heddle
       bool
       enforces(const unsigned int a, const unsigned int b) const;
 
-      /** Pairs of fibers that overlapped at the last update, of all ranks. */
-      double
-      n_active() const
-      {
-        return n_overlapping;
-      }
+      /** Enforce nothing any more, and report nothing. */
+      void
+      end();
 
       void
       begin_step(System::State &state) override;
@@ -173,7 +169,7 @@ namespace Heddle
 
       /** Overlap of a pair without allowance; negative if apart [mm]. */
       double
-      overlap(const System::State &state, Pair &pair) const;
+      overlap(Pair &pair) const;
 
       Element
       make_element(const System::State &state,

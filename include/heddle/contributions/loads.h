@@ -43,6 +43,7 @@ namespace Heddle
       void
       begin_stage(const System::State &state) override;
 
+      /** Throws InputError if a formula has no finite value now. */
       void
       begin_step(System::State &state) override;
 
@@ -135,6 +136,10 @@ namespace Heddle
       evaluate(const Expressions  &expressions,
                const Tensor<1, 3> &position,
                const double        load_factor);
+
+      /** Forces and moments now, and what forces come to by loads: @p sums. */
+      void
+      evaluate_all(const double load_factor, std::vector<double> &sums);
 
       void
       find_largest_force();

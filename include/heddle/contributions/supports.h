@@ -45,6 +45,10 @@ namespace Heddle
       void
       begin_stage(const System::State &state) override;
 
+      /** Throws InputError if a formula has no finite value now. */
+      void
+      begin_step(System::State &state) override;
+
       void
       constrain(const System::State             &state,
                 std::vector<System::Constraint> &constraints) const override;

@@ -21,7 +21,8 @@ namespace Heddle
     public:
       /**
        * With @p resume_at, the number of the next file, an earlier run's list
-       * is continued and its files from that number on are dropped.
+       * is continued, without its files from that number on, which are
+       * written over as the run gets there.
        */
       Collection(const std::string &directory,
                  const std::string &name,
@@ -46,6 +47,9 @@ namespace Heddle
           const std::string &stage);
 
     private:
+      void
+      write_list() const;
+
       std::string
       file_name(const unsigned int number) const;
 

@@ -39,6 +39,10 @@ namespace Heddle
       void
       add(const std::map<std::string, double> &row);
 
+      /** Write the table as it is. */
+      void
+      write() const;
+
       /** The table, for a checkpoint; and back, all rows replaced. */
       std::string
       csv() const;

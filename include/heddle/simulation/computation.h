@@ -54,7 +54,7 @@ namespace Heddle
       void
       run_stage();
 
-      /** Set out for the next load factor; return whether it was reached. */
+      /** Set out for the next load factor; return what came of it. */
       Solver::NewtonResult
       try_step(const Stage &stage);
 

@@ -69,8 +69,8 @@ namespace Heddle
 
       /**
        * Order the yarns that @p enforcement knows of. @p contributions is all
-       * that acts, @p contact and @p enforcement included, in this order:
-       * contact chooses the ghosts.
+       * that acts, @p contact and @p enforcement included. Every rank holds
+       * copies of all fibers in the end.
        *
        * @note Collective. Throws Stopped on request.
        */

@@ -30,6 +30,7 @@ namespace Heddle
       double       residual_ratio    = 0.;
       double       increment         = 0.; /**< largest motion, in radii [-] */
       std::string  obstacle;               /**< why not converged, in words */
+      bool         used_up = false; /**< all iterations that are allowed */
     };
 
     /**

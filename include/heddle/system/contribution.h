@@ -34,7 +34,10 @@ namespace Heddle
       virtual std::string
       name() const = 0;
 
-      /** A step begins: the load factor of the state is the new one. */
+      /**
+       * A step begins, or is searched afresh: the load factor of the state is
+       * the new one. There may be several calls for one load factor.
+       */
       virtual void
       begin_step(State &)
       {
