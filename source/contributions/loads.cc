@@ -293,7 +293,6 @@ namespace Heddle
     {
       std::vector<Tensor<1, 3>> acting = external;
       std::array<double, 6>     force;
-      std::array<double, 36>    derivative;
       for (const Moment &moment : moments)
         {
           Beam::end_moment(moment.value,
@@ -301,7 +300,7 @@ namespace Heddle
                            system.state.current().data() + moment.block,
                            nullptr,
                            force.data(),
-                           derivative.data());
+                           nullptr);
           for (unsigned int i = 0; i < 3 * n_vectors; ++i)
             acting[moment.block + i / 3][i % 3] += force[i];
         }

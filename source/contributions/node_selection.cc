@@ -77,8 +77,7 @@ namespace Heddle
         return {};
       for (const std::string &word : Utilities::split_string_list(fibers))
         {
-          const auto n_before = found.size();
-          bool       known    = false;
+          bool known = false;
           for (unsigned int f = 0; f < space.n_fibers(); ++f)
             if (word == "all" || word == space.fiber(f).set ||
                 word == std::to_string(f))
@@ -86,7 +85,7 @@ namespace Heddle
                 found.insert(f);
                 known = true;
               }
-          if (found.size() == n_before && !known)
+          if (!known)
             complain_about_fibers(space, word, where);
         }
       require(!found.empty(),

@@ -121,13 +121,6 @@ namespace Heddle
         return upper[corner] - lower[corner];
       }
 
-      /** Height of the lower or the upper surface over a corner [mm]. */
-      double
-      surface(const bool above, const unsigned int corner) const
-      {
-        return above ? upper[corner] : lower[corner];
-      }
-
     private:
       /** Numbers of the corners of the column in which a cell lies. */
       std::array<unsigned int, 4>
