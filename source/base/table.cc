@@ -46,14 +46,6 @@ namespace Heddle
 
 
 
-  std::size_t
-  StepTable::n_rows() const
-  {
-    return rows.size();
-  }
-
-
-
   double
   StepTable::get(const std::size_t row, const std::string &name) const
   {
@@ -118,14 +110,6 @@ namespace Heddle
           if (std::getline(entries, entry, ',') && !entry.empty())
             value = std::strtod(entry.c_str(), nullptr);
       }
-  }
-
-
-
-  void
-  StepTable::truncate(const std::size_t n_rows)
-  {
-    rows.resize(std::min(n_rows, rows.size()));
   }
 
 

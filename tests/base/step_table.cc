@@ -34,9 +34,6 @@ main()
   other.read(csv);
   deallog << "same: " << (other.csv() == csv)
           << ", unset: " << std::isnan(other.get(1, "force_x")) << std::endl;
-  other.truncate(1);
-  deallog << other.n_rows() << " row, load factor "
-          << other.get(0, "load_factor") << std::endl;
 
   // Another column, one that is not there, one too many.
   for (const std::vector<std::string> &names :

@@ -45,8 +45,7 @@ check(const std::string &pattern,
   deallog << pattern << (layout == Layout::rows ? ", rows, " : ", hexagonal, ")
           << n_bundles << " x 12: amplitude " << scale * weave.amplitude()
           << " R at a pitch of " << scale * weave.warp_spacing()
-          << " R, normal sections " << weave.has_normal_sections()
-          << ", warp touches weft "
+          << " R, warp touches weft "
           << (scale * smallest_distance(fibers, false) < 2.)
           << ", fibers of a yarn "
           << std::floor(10. * scale * smallest_distance(fibers, true)) / 10.

@@ -26,10 +26,6 @@ namespace Heddle
     void
     set(const std::string &name, const double value);
 
-    /** Return the number of rows. */
-    std::size_t
-    n_rows() const;
-
     /** Return the entry of row @p row in the column @p name, NaN if unset. */
     double
     get(const std::size_t row, const std::string &name) const;
@@ -48,10 +44,6 @@ namespace Heddle
      */
     void
     read(const std::string &csv);
-
-    /** Drop all rows after the first @p n_rows. */
-    void
-    truncate(const std::size_t n_rows);
 
   private:
     std::string

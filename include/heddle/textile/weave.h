@@ -96,13 +96,6 @@ namespace Heddle
         return crimp_amplitude;
       }
 
-      /** Whether the sections of the yarns are normal to their axes. */
-      bool
-      has_normal_sections() const
-      {
-        return normal_sections;
-      }
-
       /** Whether no warp fiber touches a weft fiber. */
       bool
       is_clear() const;
