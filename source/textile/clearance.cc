@@ -9,10 +9,6 @@ namespace Heddle
   {
     namespace
     {
-      using Polyline = std::vector<Tensor<1, 3>>;
-
-
-
       struct Box
       {
         Tensor<1, 3> lowest, highest;
@@ -113,17 +109,17 @@ namespace Heddle
       for (const Polyline &a : first)
         for (unsigned int j = 0; j < second.size(); ++j)
           {
-            const Polyline &b      = second[j];
-            const auto      near_b = segments_near(a, boxes[j], smallest);
+            const Polyline &b    = second[j];
+            const auto      of_a = segments_near(a, boxes[j], smallest);
             Box             box;
-            for (const unsigned int s : near_b)
+            for (const unsigned int s : of_a)
               {
                 box.add(a[s]);
                 box.add(a[s + 1]);
               }
-            const auto near_a = segments_near(b, box, smallest);
-            for (const unsigned int s : near_b)
-              for (const unsigned int t : near_a)
+            const auto of_b = segments_near(b, box, smallest);
+            for (const unsigned int s : of_a)
+              for (const unsigned int t : of_b)
                 if (box_of_segment(a, s).is_near(box_of_segment(b, t),
                                                  smallest))
                   smallest = std::min(

@@ -93,14 +93,14 @@ namespace Heddle
 
 
 
-    std::vector<std::vector<Tensor<1, 3>>>
+    std::vector<Polyline>
     Weave::polylines(const Direction direction) const
     {
       const double       half = 0.5 * lengths[direction];
       const unsigned int n =
         std::ceil(2. * lengths[direction] / family(direction).packing.radius);
 
-      std::vector<std::vector<Tensor<1, 3>>> lines;
+      std::vector<Polyline> lines;
       for (unsigned int i = 0; i < family(direction).n_yarns; ++i)
         for (const Curve &curve : fibers(direction, i))
           {

@@ -1,7 +1,7 @@
 #ifndef heddle_textile_clearance_h
 #define heddle_textile_clearance_h
 
-#include <deal.II/base/tensor.h>
+#include <heddle/base/polyline.h>
 
 #include <vector>
 
@@ -18,10 +18,10 @@ namespace Heddle
      * then not be the smallest.
      */
     double
-    smallest_distance(const std::vector<std::vector<Tensor<1, 3>>> &first,
-                      const std::vector<std::vector<Tensor<1, 3>>> &second,
-                      const double                                  enough,
-                      const double                                  too_close);
+    smallest_distance(const std::vector<Polyline> &first,
+                      const std::vector<Polyline> &second,
+                      const double                 enough,
+                      const double                 too_close);
   } // namespace Textile
 } // namespace Heddle
 

@@ -1,11 +1,10 @@
 #ifndef heddle_textile_fiber_path_h
 #define heddle_textile_fiber_path_h
 
-#include <deal.II/base/tensor.h>
+#include <heddle/base/polyline.h>
 
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace Heddle
 {
@@ -26,7 +25,7 @@ namespace Heddle
        * Knots of the axis from which the computation starts, equally spaced in
        * arc length, at least two [mm].
        */
-      std::vector<Tensor<1, 3>> points;
+      Polyline points;
 
       /**
        * Length of the fiber when it is free of stress [mm]. Smaller than the

@@ -1,6 +1,7 @@
 #ifndef heddle_textile_weave_h
 #define heddle_textile_weave_h
 
+#include <heddle/base/polyline.h>
 #include <heddle/textile/curve.h>
 #include <heddle/textile/fiber_path.h>
 #include <heddle/textile/packing.h>
@@ -159,7 +160,7 @@ namespace Heddle
       fibers(const Direction direction, const unsigned int i) const;
 
       /** Fine polygons of all fibers of a family. */
-      std::vector<std::vector<Tensor<1, 3>>>
+      std::vector<Polyline>
       polylines(const Direction direction) const;
 
       WeaveDescription description;
