@@ -15,7 +15,7 @@ namespace Heddle
     {
       /** Extent and hull of circles about the points of @p section. */
       void
-      measure(YarnSection &section, const std::vector<double> &radii)
+      measure(YarnCut &section, const std::vector<double> &radii)
       {
         // Polygons of equal area stand for the circles: the hull is then exact
         // to 1e-3 of a fiber's section.
@@ -46,7 +46,7 @@ namespace Heddle
 
 
 
-    YarnSection
+    YarnCut
     cut_yarn(const std::vector<Polyline> &fibers,
              const std::vector<double>   &radii,
              const CuttingPlane          &plane)
@@ -60,7 +60,7 @@ namespace Heddle
       across /= across.norm();
       const Tensor<1, 3> up = cross_product_3d(plane.normal, across);
 
-      YarnSection         section;
+      YarnCut             section;
       std::vector<double> radii_found;
       for (unsigned int f = 0; f < fibers.size(); ++f)
         {

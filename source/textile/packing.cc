@@ -98,7 +98,7 @@ namespace Heddle
 
       /** Move the middle of the box of @p section to zero and measure it. */
       void
-      center_and_measure(YarnSection &section, const double fiber_radius)
+      center_and_measure(PackedSection &section, const double fiber_radius)
       {
         Point<2> lowest  = section.positions[0];
         Point<2> highest = section.positions[0];
@@ -169,12 +169,12 @@ namespace Heddle
 
 
 
-    YarnSection
+    PackedSection
     pack_yarn(const Packing &packing, const unsigned int yarn)
     {
       check_packing(packing, "Packing of a yarn");
 
-      YarnSection section;
+      PackedSection section;
       section.positions =
         packing.layout == Layout::rows
           ? rows(packing.n_bundles, packing.fibers_per_bundle)

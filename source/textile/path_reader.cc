@@ -1,7 +1,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/textile/csv_table.h>
-#include <heddle/textile/curve.h>
+#include <heddle/textile/parametric_curve.h>
 #include <heddle/textile/path_reader.h>
 
 #include <cmath>

@@ -63,7 +63,7 @@ namespace Heddle
       for (const Direction direction : {warp, weft})
         {
           // Twist turns a flat section through the thickness.
-          YarnSection &section = sections[direction];
+          PackedSection &section = sections[direction];
           if (family(direction).twist != 0.)
             section.width = section.height =
               2. * (section.radius + family(direction).packing.radius);
@@ -119,7 +119,7 @@ namespace Heddle
 
 
 
-    std::vector<Curve>
+    std::vector<ParametricCurve>
     Weave::fibers(const Direction direction, const unsigned int i) const
     {
       const YarnFamily  &yarns = family(direction);
@@ -130,7 +130,7 @@ namespace Heddle
       const double   rate      = 2. * numbers::PI * yarns.twist;
       const bool     normal    = normal_sections;
 
-      std::vector<Curve> curves;
+      std::vector<ParametricCurve> curves;
       for (const Point<2> &place : pack_yarn(yarns.packing, yarn).positions)
         curves.push_back([=](const double x) {
           const double cosine = std::cos(rate * x), sine = std::sin(rate * x);

@@ -73,13 +73,13 @@ namespace Heddle
       const double needed = 0.5 * (description.warp.packing.radius +
                                    description.weft.packing.radius);
 
-      std::vector<std::vector<Curve>> weft_yarns;
+      std::vector<std::vector<ParametricCurve>> weft_yarns;
       for (unsigned int j = 0; j < description.weft.n_yarns; ++j)
         weft_yarns.push_back(fibers(weft, j));
       for (unsigned int i = 0; i < description.warp.n_yarns; ++i)
-        for (const Curve &warp_fiber : fibers(warp, i))
+        for (const ParametricCurve &warp_fiber : fibers(warp, i))
           for (unsigned int j = 0; j < weft_yarns.size(); ++j)
-            for (const Curve &weft_fiber : weft_yarns[j])
+            for (const ParametricCurve &weft_fiber : weft_yarns[j])
               {
                 // Upright fibers run straight in the plane, but for the twist.
                 const double x    = weft_fiber(position(warp, i))[0];
@@ -102,7 +102,7 @@ namespace Heddle
 
       std::vector<Polyline> lines;
       for (unsigned int i = 0; i < family(direction).n_yarns; ++i)
-        for (const Curve &curve : fibers(direction, i))
+        for (const ParametricCurve &curve : fibers(direction, i))
           {
             lines.emplace_back();
             for (unsigned int k = 0; k <= n; ++k)

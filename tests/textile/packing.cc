@@ -9,7 +9,7 @@ using namespace Heddle::Textile;
 
 
 double
-smallest_distance(const YarnSection &section)
+smallest_distance(const PackedSection &section)
 {
   double smallest = 1e300;
   for (unsigned int i = 0; i < section.positions.size(); ++i)

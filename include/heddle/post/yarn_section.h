@@ -19,7 +19,7 @@ namespace Heddle
      * lies in the plane of the fabric, the second one points up; where the yarn
      * is steep (is_steep()) they lie along x and y.
      */
-    struct YarnSection
+    struct YarnCut
     {
       /** Where the fiber axes pass, one point per fiber that does [mm]. */
       std::vector<Point<2>> points;
@@ -65,7 +65,7 @@ namespace Heddle
      * @p radii holds the radius of each fiber [mm]; the hull takes every fiber
      * as the ellipse's inscribed circle of that radius.
      */
-    YarnSection
+    YarnCut
     cut_yarn(const std::vector<Polyline> &fibers,
              const std::vector<double>   &radii,
              const CuttingPlane          &plane);

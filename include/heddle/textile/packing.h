@@ -58,7 +58,7 @@ namespace Heddle
 
     /** Section of a yarn: across it, and through the thickness of the fabric.
      */
-    struct YarnSection
+    struct PackedSection
     {
       /** Centers of the fibers, bundle by bundle, about the axis [mm]. */
       std::vector<Point<2>> positions;
@@ -91,7 +91,7 @@ namespace Heddle
      *
      * @pre check_packing() accepts the packing.
      */
-    YarnSection
+    PackedSection
     pack_yarn(const Packing &packing, const unsigned int yarn);
   } // namespace Textile
 } // namespace Heddle

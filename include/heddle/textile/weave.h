@@ -2,9 +2,9 @@
 #define heddle_textile_weave_h
 
 #include <heddle/base/polyline.h>
-#include <heddle/textile/curve.h>
 #include <heddle/textile/fiber_path.h>
 #include <heddle/textile/packing.h>
+#include <heddle/textile/parametric_curve.h>
 #include <heddle/textile/weave_description.h>
 #include <heddle/textile/weave_pattern.h>
 #include <heddle/textile/yarn_axis.h>
@@ -156,7 +156,7 @@ namespace Heddle
       yarns_in_turn() const;
 
       /** Axes of the fibers of one yarn, on [-length/2, length/2]. */
-      std::vector<Curve>
+      std::vector<ParametricCurve>
       fibers(const Direction direction, const unsigned int i) const;
 
       /** Fine polygons of all fibers of a family. */
@@ -165,7 +165,7 @@ namespace Heddle
 
       WeaveDescription description;
       WeavePattern     pattern;
-      YarnSection      sections[2];
+      PackedSection    sections[2];
       double           spacings[2];
       double           lengths[2];
       double           crimp_amplitude = 0.;

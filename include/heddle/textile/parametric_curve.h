@@ -1,5 +1,5 @@
-#ifndef heddle_textile_curve_h
-#define heddle_textile_curve_h
+#ifndef heddle_textile_parametric_curve_h
+#define heddle_textile_parametric_curve_h
 
 #include <deal.II/base/tensor.h>
 
@@ -13,7 +13,7 @@ namespace Heddle
     using namespace dealii;
 
     /** A curve in space by any parameter, positions in mm. */
-    using Curve = std::function<Tensor<1, 3>(const double)>;
+    using ParametricCurve = std::function<Tensor<1, 3>(const double)>;
 
 
 
@@ -35,11 +35,11 @@ namespace Heddle
      * with an error of second order in their size.
      */
     Knots
-    equally_spaced(const Curve       &curve,
-                   const double       begin,
-                   const double       end,
-                   const unsigned int n_points,
-                   const unsigned int n_samples);
+    equally_spaced(const ParametricCurve &curve,
+                   const double           begin,
+                   const double           end,
+                   const unsigned int     n_points,
+                   const unsigned int     n_samples);
   } // namespace Textile
 } // namespace Heddle
 

@@ -1,4 +1,4 @@
-#include <heddle/textile/curve.h>
+#include <heddle/textile/parametric_curve.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -9,11 +9,11 @@ namespace Heddle
   namespace Textile
   {
     Knots
-    equally_spaced(const Curve       &curve,
-                   const double       begin,
-                   const double       end,
-                   const unsigned int n_points,
-                   const unsigned int n_samples)
+    equally_spaced(const ParametricCurve &curve,
+                   const double           begin,
+                   const double           end,
+                   const unsigned int     n_points,
+                   const unsigned int     n_samples)
     {
       Assert(n_points >= 2 && n_samples >= 1,
              ExcMessage("A curve needs two knots and one sample."));
