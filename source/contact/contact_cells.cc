@@ -156,13 +156,13 @@ namespace Heddle
     {
       forgiven_of = penetrations;
       for (ContactCell &cell : all_cells)
-        cell.forgiven = forgiven(cell);
+        cell.forgiven = forgiven_for(cell);
     }
 
 
 
     double
-    ContactCells::forgiven(const ContactCell &cell) const
+    ContactCells::forgiven_for(const ContactCell &cell) const
     {
       const auto found = forgiven_of.find({cell.fiber_a, cell.fiber_b});
       return found == forgiven_of.end() ? 0. : found->second;
@@ -283,7 +283,7 @@ namespace Heddle
       cell.fiber_b                       = zone.fiber_b;
       cell.orientation                   = zone.orientation;
       cell.zone                          = all_zones.size();
-      cell.forgiven                      = forgiven(cell);
+      cell.forgiven                      = forgiven_for(cell);
       cell.kept                          = factor_if_kept(zone.cosine);
       const IntermediateGeometry between = geometry(curves, cell);
       const Curve               &a = between.a, &b = between.b;

@@ -116,7 +116,7 @@ namespace Heddle
 
       Records forgiven;
       forgiven.n_key_parts = 2;
-      for (const auto &pair : cells.forgiven())
+      for (const auto &pair : cells.forgiven_penetrations())
         if (space.owns(pair.first.first))
           {
             forgiven.keys.insert(forgiven.keys.end(),

@@ -123,7 +123,7 @@ namespace Heddle
       forgive();
 
       const ForgivenPenetrations &
-      forgiven() const
+      forgiven_penetrations() const
       {
         return forgiven_of;
       }
@@ -176,7 +176,7 @@ namespace Heddle
                  const std::size_t  first_of_zone) const;
 
       double
-      forgiven(const ContactCell &cell) const;
+      forgiven_for(const ContactCell &cell) const;
 
       const double             search_distance;
       const double             refinement;
