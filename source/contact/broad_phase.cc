@@ -22,22 +22,6 @@ namespace Heddle
           unsigned int bounds;
         };
 
-        /** The control points of one cubic. */
-        struct ControlPoints
-        {
-          ControlPoints(const Curve &curve, const unsigned int i)
-          {
-            const double third =
-              (curve.arc_lengths[i + 1] - curve.arc_lengths[i]) / 3.;
-            point[0] = curve.position(i);
-            point[1] = curve.position(i) + third * curve.tangent(i);
-            point[2] = curve.position(i + 1) - third * curve.tangent(i + 1);
-            point[3] = curve.position(i + 1);
-          }
-
-          Tensor<1, 3> point[4];
-        };
-
         /** The cubic lies no further than its bulge from its chord. */
         struct Chord
         {
@@ -63,15 +47,15 @@ namespace Heddle
           Point<3> low, high;
           for (unsigned int d = 0; d < 3; ++d)
             {
-              low[d] = std::min({control.point[0][d],
-                                 control.point[1][d],
-                                 control.point[2][d],
-                                 control.point[3][d]}) -
+              low[d] = std::min({control[0][d],
+                                 control[1][d],
+                                 control[2][d],
+                                 control[3][d]}) -
                        margin;
-              high[d] = std::max({control.point[0][d],
-                                  control.point[1][d],
-                                  control.point[2][d],
-                                  control.point[3][d]}) +
+              high[d] = std::max({control[0][d],
+                                  control[1][d],
+                                  control[2][d],
+                                  control[3][d]}) +
                         margin;
             }
           return BoundingBox<3>({low, high});
@@ -82,12 +66,12 @@ namespace Heddle
         Chord
         chord(const ControlPoints &control)
         {
-          const Tensor<1, 3> along = control.point[3] - control.point[0];
+          const Tensor<1, 3> along = control[3] - control[0];
           Chord              result;
           result.bulge = 0.;
           for (const unsigned int k : {1, 2})
             {
-              const Tensor<1, 3> offset = control.point[k] - control.point[0];
+              const Tensor<1, 3> offset = control[k] - control[0];
               const double       t =
                 std::clamp((offset * along) / along.norm_square(), 0., 1.);
               result.bulge =
@@ -95,7 +79,7 @@ namespace Heddle
             }
           for (unsigned int d = 0; d < 3; ++d)
             {
-              result.begin[d] = control.point[0][d];
+              result.begin[d] = control[0][d];
               result.along[d] = along[d];
             }
           return result;
@@ -107,15 +91,13 @@ namespace Heddle
         bound(const ControlPoints &control)
         {
           // P. de Casteljau (1959): means of means are the halves' points.
-          const auto        *point  = control.point;
-          const Tensor<1, 3> middle = 0.5 * (point[1] + point[2]);
+          const Tensor<1, 3> middle = 0.5 * (control[1] + control[2]);
           ControlPoints      first = control, second = control;
-          first.point[1]  = 0.5 * (point[0] + point[1]);
-          first.point[2]  = 0.5 * (first.point[1] + middle);
-          second.point[2] = 0.5 * (point[2] + point[3]);
-          second.point[1] = 0.5 * (middle + second.point[2]);
-          first.point[3]  = second.point[0] =
-            0.5 * (first.point[2] + second.point[1]);
+          first[1]  = 0.5 * (control[0] + control[1]);
+          first[2]  = 0.5 * (first[1] + middle);
+          second[2] = 0.5 * (control[2] + control[3]);
+          second[1] = 0.5 * (middle + second[2]);
+          first[3] = second[0] = 0.5 * (first[2] + second[1]);
           return {chord(control), chord(first), chord(second)};
         }
 
@@ -225,7 +207,7 @@ namespace Heddle
              i + 1 < curves[c].curve.known.second;
              ++i)
           {
-            const ControlPoints control(curves[c].curve, i);
+            const ControlPoints control = control_points(curves[c].curve, i);
             entries.emplace_back(
               box(control, curves[c].curve.radius + 0.5 * search_distance),
               Interval{c, i, static_cast<unsigned int>(bounds.size())});

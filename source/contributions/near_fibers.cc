@@ -59,23 +59,14 @@ namespace Heddle
         const Contact::Curve curve = centerlines.curve(f);
         std::vector<Box>     boxes(space.fiber(f).n_nodes - 1, empty_box());
         for (unsigned int i = 0; i < boxes.size(); ++i)
-          {
-            const double third =
-              (curve.arc_lengths[i + 1] - curve.arc_lengths[i]) / 3.;
-            const std::array<Tensor<1, 3>, 4> points = {
-              {curve.position(i),
-               curve.position(i) + third * curve.tangent(i),
-               curve.position(i + 1) - third * curve.tangent(i + 1),
-               curve.position(i + 1)}};
-            for (const Tensor<1, 3> &x : points)
-              merge(boxes[i],
-                    {{margin + x[0],
-                      margin + x[1],
-                      margin + x[2],
-                      margin - x[0],
-                      margin - x[1],
-                      margin - x[2]}});
-          }
+          for (const Tensor<1, 3> &x : Contact::control_points(curve, i))
+            merge(boxes[i],
+                  {{margin + x[0],
+                    margin + x[1],
+                    margin + x[2],
+                    margin - x[0],
+                    margin - x[1],
+                    margin - x[2]}});
         return boxes;
       }
 

@@ -4,6 +4,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace Heddle
@@ -170,6 +171,23 @@ namespace Heddle
     {
       unsigned int i = interval(s);
       return evaluate(s, i).position;
+    }
+
+
+
+    /** Of a cubic: it lies in their convex hull [mm]. */
+    using ControlPoints = std::array<Tensor<1, 3>, 4>;
+
+    /** Those of the cubic between the knots @p i and i + 1, which are known. */
+    inline ControlPoints
+    control_points(const Curve &curve, const unsigned int i)
+    {
+      const double third =
+        (curve.arc_lengths[i + 1] - curve.arc_lengths[i]) / 3.;
+      return {{curve.position(i),
+               curve.position(i) + third * curve.tangent(i),
+               curve.position(i + 1) - third * curve.tangent(i + 1),
+               curve.position(i + 1)}};
     }
 
 

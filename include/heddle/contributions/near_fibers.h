@@ -16,6 +16,11 @@ namespace Heddle
      * the grown box of some own fiber, and the nodes that their centerline
      * follows from. Each rank decides about its own @p centerlines for the
      * others, of which it knows the boxes of whole fibers.
+     *
+     * The margin must be at least the radius of the fibers plus half of the
+     * search distance, by which Contact::find_candidates() grows the boxes of
+     * the same control points: otherwise a pair may be missed whose foreign
+     * fiber is no ghost.
      * @note Collective.
      */
     std::vector<System::GhostFiber>
