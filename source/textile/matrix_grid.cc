@@ -1,10 +1,10 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/textile/extent.h>
 #include <heddle/textile/fabric_envelope.h>
 #include <heddle/textile/matrix_grid.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace Heddle
@@ -41,26 +41,11 @@ namespace Heddle
 
 
 
-      struct Interval
-      {
-        double low  = std::numeric_limits<double>::max();
-        double high = -std::numeric_limits<double>::max();
-
-        void
-        add(const double value)
-        {
-          low  = std::min(low, value);
-          high = std::max(high, value);
-        }
-      };
-
-
-
       /** What holds all points of all fibers along axis @p d. */
-      Interval
+      Extent
       extent_of(const std::vector<FiberAxis> &fibers, const unsigned int d)
       {
-        Interval extent;
+        Extent extent;
         for (const FiberAxis &fiber : fibers)
           for (const Tensor<1, 3> &point : fiber.points)
             extent.add(point[d]);
@@ -79,12 +64,12 @@ namespace Heddle
 
 
       /** Extent of the rectangle along axis @p d, without margin. */
-      Interval
+      Extent
       reach_along(const std::vector<FiberAxis> &fibers,
                   const std::vector<YarnBody>  &bodies,
                   const unsigned int            d)
       {
-        Interval across, common;
+        Extent across, common;
         std::swap(common.low, common.high);
         bool some_along = false;
         for (const YarnBody &body : bodies)
@@ -151,9 +136,9 @@ namespace Heddle
             }
           else
             {
-              const Interval reach = reach_along(fibers, bodies, d);
-              columns.low[d]       = reach.low - description.margins[d];
-              columns.high[d]      = reach.high + description.margins[d];
+              const Extent reach = reach_along(fibers, bodies, d);
+              columns.low[d]     = reach.low - description.margins[d];
+              columns.high[d]    = reach.high + description.margins[d];
               require(columns.low[d] < columns.high[d],
                       sentence_of(where,
                                   ": \"Margin ",
@@ -220,7 +205,7 @@ namespace Heddle
                    const std::vector<FiberAxis> &fibers,
                    const ColumnGrid             &columns)
       {
-        Interval height{description.low_corner[2], description.high_corner[2]};
+        Extent height{description.low_corner[2], description.high_corner[2]};
         if (!has_corners(description))
           {
             double radius = 0.;
@@ -275,7 +260,7 @@ namespace Heddle
       {
         const ColumnGrid &columns = grid.columns();
         const unsigned    n_z     = grid.n_along()[2];
-        Interval          height;
+        Extent            height;
         for (unsigned int c = 0; c < columns.n_corners(); ++c)
           height.add(grid.thickness(c) / n_z);
         const double widest   = std::max(columns.size(0), columns.size(1));
@@ -300,8 +285,8 @@ namespace Heddle
         for (unsigned int j = 0; j < columns.n_columns[1]; ++j)
           for (unsigned int i = 0; i < columns.n_columns[0]; ++i)
             {
-              Interval thickness;
-              double   sum = 0.;
+              Extent thickness;
+              double sum = 0.;
               for (unsigned int v = 0; v < 4; ++v)
                 {
                   const double t =

@@ -1,4 +1,5 @@
 #include <heddle/base/convex_hull.h>
+#include <heddle/textile/extent.h>
 #include <heddle/textile/yarn_body.h>
 
 #include <algorithm>
@@ -90,22 +91,6 @@ namespace Heddle
         else
           line.push_back(line.back() + step);
       }
-
-
-
-      /** Interval of z, or of anything, that holds what was added. */
-      struct Extent
-      {
-        double low  = std::numeric_limits<double>::max();
-        double high = -std::numeric_limits<double>::max();
-
-        void
-        add(const double value)
-        {
-          low  = std::min(low, value);
-          high = std::max(high, value);
-        }
-      };
     } // namespace
 
 
