@@ -95,7 +95,8 @@ namespace Heddle
 
 
     Beam::Section
-    FiberParameters::section(const double radius) const
+    FiberParameters::section(const double radius,
+                             const double filament_radius) const
     {
       Beam::Section section = Beam::circular_section(
         radius,
@@ -103,6 +104,13 @@ namespace Heddle
         shear_modulus > 0. ? shear_modulus
                            : axial_modulus / (2. * (1. + poisson_ratio)),
         poisson_ratio);
+      if (filament_radius > 0.)
+        {
+          const double ratio = filament_radius / radius;
+          section.bending *= ratio * ratio;
+          section.torsion *= ratio * ratio;
+          section.gradient *= ratio * ratio;
+        }
       if (axial_stiffness > 0.)
         section.axial = axial_stiffness;
       if (bending_stiffness > 0.)

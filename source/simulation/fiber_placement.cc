@@ -68,7 +68,7 @@ namespace Heddle
              path.yarn_id,
              path.bundle_id,
              path.set,
-             parameters.section(path.radius)});
+             parameters.section(path.radius, path.filament_radius)});
         }
       return std::make_unique<System::FiberSpace>(
         communicator, std::move(element), descriptions);

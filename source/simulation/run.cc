@@ -4,6 +4,7 @@
 #include <heddle/simulation/computation.h>
 #include <heddle/simulation/inactive_parameters.h>
 #include <heddle/simulation/run.h>
+#include <heddle/textile/linear_density.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -72,6 +73,28 @@ namespace Heddle
 
 
 
+      /** What yarns and fabric weigh, if the densities of fibers are known. */
+      void
+      print_weights(Log                             &log,
+                    const Textile::Weave            &weave,
+                    const Textile::WeaveDescription &description)
+      {
+        if (description.warp.density == 0. || description.weft.density == 0.)
+          return;
+        // Grams per kilometer over millimeters are grams per square meter.
+        const double weight =
+          Textile::linear_density(description.warp) / weave.warp_spacing() +
+          Textile::linear_density(description.weft) / weave.weft_spacing();
+        log << "Warp           "
+            << Textile::yarns_in_words(description.warp, weave.warp_spacing())
+            << "\nWeft           "
+            << Textile::yarns_in_words(description.weft, weave.weft_spacing())
+            << "\nAreal weight   " << std::setprecision(3) << weight
+            << " g/m^2, without crimp\n";
+      }
+
+
+
       void
       print_sizes(Log &log, const Scene &scene, const Parameters &parameters)
       {
@@ -83,8 +106,10 @@ namespace Heddle
         log << "Fibers         " << space.n_fibers();
         if (space.n_yarns() > 0)
           log << " in " << space.n_yarns() << " yarns";
-        log << '\n'
-            << "Extent         " << extent_in_words(scene) << " at the start\n"
+        log << '\n';
+        if (scene.weave())
+          print_weights(log, *scene.weave(), parameters.weave.description());
+        log << "Extent         " << extent_in_words(scene) << " at the start\n"
             << "Nodes          " << space.n_nodes() << '\n'
             << "Unknowns       " << space.n_dofs() << '\n';
         if (!matrix.objection.empty())

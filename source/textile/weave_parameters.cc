@@ -1,3 +1,4 @@
+#include <heddle/textile/linear_density.h>
 #include <heddle/textile/weave_parameters.h>
 
 #include <deal.II/base/patterns.h>
@@ -121,7 +122,22 @@ namespace Heddle
                     Patterns::Integer(1));
       add_parameter("Fiber radius",
                     packing.radius,
-                    "Radius of the circular section of a fiber, above 0 [mm].",
+                    "Radius of the circular section of a fiber, above 0; with "
+                    "a linear density, of a filament [mm].",
+                    prm,
+                    Patterns::Double(0.));
+      add_parameter("Linear density",
+                    entries.linear_density,
+                    "What a yarn weighs, in grams per kilometer. Its fibers "
+                    "then stand for all of its filaments: together they have "
+                    "their area, and bend and twist as easily as they. 0: each "
+                    "fiber is a filament [tex].",
+                    prm,
+                    Patterns::Double(0.));
+      add_parameter("Density",
+                    entries.yarns.density,
+                    "Of the fibers, for what yarns and fabric weigh; 0: not "
+                    "known [g/cm^3].",
                     prm,
                     Patterns::Double(0.));
       add_parameter("Packing",
@@ -158,18 +174,20 @@ namespace Heddle
     WeaveDescription
     WeaveParameters::description() const
     {
-      const auto family = [](const Entries &entries) {
+      const auto family = [](const Entries &entries, const std::string &where) {
         YarnFamily yarns   = entries.yarns;
         yarns.packing.seed = entries.seed;
         yarns.packing.layout =
           entries.layout == "hexagonal" ? Layout::hexagonal : Layout::rows;
+        if (entries.linear_density > 0.)
+          lump_filaments(yarns, entries.linear_density, "Weave/" + where);
         return yarns;
       };
       WeaveDescription result = weave;
       result.start =
         start == "crimped" ? Start::crimped : Start::interpenetrating;
-      result.warp = family(warp);
-      result.weft = family(weft_is_warp ? warp : weft);
+      result.warp = family(warp, "Warp yarns");
+      result.weft = weft_is_warp ? result.warp : family(weft, "Weft yarns");
       return result;
     }
   } // namespace Textile

@@ -23,9 +23,14 @@ namespace Heddle
       std::unique_ptr<Beam::Element>
       element() const;
 
-      /** Constants of the section of a fiber of this radius [mm]. */
+      /**
+       * Constants of the section of a fiber of this radius [mm]. If it stands
+       * for filaments of a smaller one, it bends and twists as they do side by
+       * side: $(R / r)^2$ filaments have the area of the fiber, and the part
+       * $(r / R)^2$ of its second moments.
+       */
       Beam::Section
-      section(const double radius) const;
+      section(const double radius, const double filament_radius = 0.) const;
 
       std::string  element_name        = "hermite";
       unsigned int degree              = 1;

@@ -36,6 +36,9 @@ namespace Heddle
       /** Radius of the circular section [mm]. */
       double radius = 0.;
 
+      /** Of the filaments for which it stands [mm]; 0: it is one itself. */
+      double filament_radius = 0.;
+
       /** Number of the yarn; in a weave warp yarns come before weft yarns. */
       unsigned int yarn_id = no_id;
 

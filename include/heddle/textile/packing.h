@@ -33,6 +33,12 @@ namespace Heddle
       /** Radius of a fiber [mm]. */
       double radius = 0.0045;
 
+      /**
+       * Radius of the filaments for which a fiber stands that is thicker than
+       * one [mm]; 0: it is one.
+       */
+      double filament_radius = 0.;
+
       Layout layout = Layout::rows;
 
       /** Distance between the axes of neighbours over the radius, >= 2 [-]. */

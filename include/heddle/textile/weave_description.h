@@ -26,6 +26,9 @@ namespace Heddle
       unsigned int n_yarns = 4;
       Packing      packing;
 
+      /** Density of the fibers [g/cm^3]; 0: not known. */
+      double density = 0.;
+
       /** Turns of the fibers about the yarn per length of the fabric [1/mm]. */
       double twist = 0.;
 

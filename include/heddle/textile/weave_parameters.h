@@ -24,7 +24,8 @@ namespace Heddle
 
       /**
        * What the user asked for. Weft yarns are like warp yarns if the user
-       * said so, or said nothing.
+       * said so, or said nothing. Throws InputError if a linear density does
+       * not fit to the fibers.
        */
       WeaveDescription
       description() const;
@@ -34,8 +35,9 @@ namespace Heddle
       struct Entries
       {
         YarnFamily  yarns;
-        std::string layout = "rows";
-        int         seed   = 1;
+        std::string layout         = "rows";
+        int         seed           = 1;
+        double      linear_density = 0.; /**< [tex]; 0: of the fibers */
       };
 
       void
