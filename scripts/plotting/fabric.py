@@ -2,6 +2,7 @@
 
 import matplotlib.collections
 import matplotlib.pyplot as plt
+import matplotlib.ticker
 import numpy as np
 import vtk
 
@@ -110,6 +111,16 @@ def draw_section(axes, fibers, tubes, axis, station):
     axes.set_ylim(low[up] - pad / 2, high[up] + pad / 2)
     axes.set_xlabel(f"{'xyz'[across]} [mm]")
     axes.set_ylabel(f"{'xyz'[up]} [mm]")
+    if high[across] - low[across] > 5. * (high[up] - low[up]):
+        # Labels of a flat fabric's height lie above each other otherwise.
+        axes.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(3))
+    axes.xaxis.set_major_locator(matplotlib.ticker.MaxNLocator(5))
+
+
+def in_words(place, fibers):
+    """Return a place [mm] in four digits, round-off left out."""
+    extent = max(np.ptp(bounds_of(fibers), axis=0))
+    return f"{round(place / extent, 9) * extent + 0.:.4g} mm"
 
 
 def plot_sections(frame, folder, options):
@@ -136,7 +147,8 @@ def plot_sections(frame, folder, options):
             axes.set_axis_off()
         for axes, station in zip(panels.flat, stations):
             draw_section(axes, frame.fibers, tubes, axis, station)
-            axes.set_title(f"{name} = {station:.4g} mm", loc="left",
+            axes.set_title(f"{name} = {in_words(station, frame.fibers)}",
+                           loc="left",
                            fontsize=11, fontweight="normal")
         for axes in panels.flat:
             axes.label_outer()
@@ -187,7 +199,7 @@ def plot_stages(frames, folder, options):
         axes.set_xlim(box[0][across], box[1][across])
         axes.set_ylim(box[0][up], box[1][up])
         axes.set_xlabel(f"{'xyz'[across]} [mm] at {'xyz'[axis]} = "
-                        f"{station:.4g} mm")
+                        f"{in_words(station, frame.fibers)}")
         if column > 0:
             axes.set_ylabel("")
     save(figure, folder, "stages.png")

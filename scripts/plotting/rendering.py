@@ -105,7 +105,7 @@ def render(surfaces, radius, box, view, size):
     window.Finalize()
 
     # At an outline a pixel is partly fiber, partly white paper.
-    is_fiber = (depth < 1.).astype(float)
+    is_fiber = (depth < 1.).astype(np.float32)
     inside = averaged(is_fiber)
     depth = averaged((near + (far - near) * depth) * is_fiber)
     depth /= np.maximum(inside, 1e-6)
@@ -172,19 +172,19 @@ def pixels_of(window, kind):
     grab.SetInput(window)
     grab.SetInputBufferType(kind)
     grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
     grab.Update()
     image = grab.GetOutput()
     width, height, _ = image.GetDimensions()
     values = numpy_support.vtk_to_numpy(image.GetPointData().GetScalars())
-    return values.reshape(height, width, -1)[::-1, :, :3].astype(float)
+    return values.reshape(height, width, -1)[::-1, :, :3].astype(np.float32)
 
 
 def averaged(values):
     """Bring what was drawn larger down to size."""
-    height, width = values.shape[:2]
-    return values.reshape(height // OVERSAMPLING, OVERSAMPLING,
-                          width // OVERSAMPLING, OVERSAMPLING,
-                          -1).mean(axis=(1, 3)).squeeze()
+    parts = range(OVERSAMPLING)
+    return sum(values[i::OVERSAMPLING, j::OVERSAMPLING]
+               for i in parts for j in parts) / OVERSAMPLING ** 2
 
 
 def blurred(image, radius):
