@@ -135,8 +135,13 @@ namespace Heddle
           at_zero = false;
           return;
         }
-      ++n_good;
-      if (newton_iterations <= plan.easy_iterations)
+
+      // Where it has failed again easy steps are trusted no more than twice as
+      // far as others: each failure costs as much as many steps.
+      const bool is_easy = newton_iterations <= plan.easy_iterations;
+      const bool trusted = step >= uncut || patience == first_patience;
+      n_good += is_easy ? 2 : 1;
+      if (is_easy && trusted)
         step = std::min(1.5 * step, plan.largest_step);
       else if (n_good >= patience && step < uncut)
         {
