@@ -3,6 +3,7 @@
 #include <heddle/contact/intermediate_geometry.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Heddle
 {
@@ -139,6 +140,10 @@ namespace Heddle
         void
         set_places();
 
+        /** How far [mm] one may go where @p free is wanted. */
+        void
+        find_reach(const Lanes<n> &free, Lanes<n> &reach) const;
+
         /** Whether the next step is short, and the last one. */
         bool
         has_arrived(const unsigned int i) const
@@ -195,6 +200,21 @@ namespace Heddle
 
 
       template <unsigned int n>
+      void
+      FacingSearch<n>::find_reach(const Lanes<n> &free, Lanes<n> &reach) const
+      {
+        reach = scale;
+        for (unsigned int i = 0; i < n; ++i)
+          if (std::abs(free[i]) > scale[i])
+            reach[i] = std::max(scale[i],
+                                0.5 * std::hypot(connection[0][i],
+                                                 connection[1][i],
+                                                 connection[2][i]));
+      }
+
+
+
+      template <unsigned int n>
       bool
       FacingSearch<n>::advance()
       {
@@ -214,19 +234,22 @@ namespace Heddle
           }
 
         // Newton's method for the stationary distance; where the distance is
-        // not convex, downhill with the stiffness of straight fibers.
+        // not convex, downhill with the stiffness of straight fibers. No step
+        // is longer than fibers are thick or, from afar, half as far apart.
         const Lanes<n> least     = 0.2 * convex + 1e-3;
         const Lanes<n> newton    = convex + curved;
         const auto     is_convex = newton > least;
         const Lanes<n> free      = -force / (is_convex ? newton : least);
-        const Lanes<n> no_more   = free < scale ? free : scale;
-        const Lanes<n> next      = q + (no_more > -scale ? no_more : -scale);
-        const Lanes<n> below     = next < high ? next : high;
-        step                     = (below > low ? below : low) - q;
-        const Lanes<n> size      = step < 0. ? -step : step;
-        const Lanes<n> last      = scale * last_step;
-        const Lanes<n> downhill  = scale * last_step_downhill;
-        short_by                 = (is_convex ? last : downhill) - size;
+        Lanes<n>       reach;
+        find_reach(free, reach);
+        const Lanes<n> no_more  = free < reach ? free : reach;
+        const Lanes<n> next     = q + (no_more > -reach ? no_more : -reach);
+        const Lanes<n> below    = next < high ? next : high;
+        step                    = (below > low ? below : low) - q;
+        const Lanes<n> size     = step < 0. ? -step : step;
+        const Lanes<n> last     = scale * last_step;
+        const Lanes<n> downhill = scale * last_step_downhill;
+        short_by                = (is_convex ? last : downhill) - size;
 
         // Who has arrived waits there, so that nobody's particles depend on
         // who is searched beside.

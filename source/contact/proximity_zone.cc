@@ -70,7 +70,7 @@ namespace Heddle
         {
           unsigned int hint_a = i, hint_b = j;
           double       s_a = middle(a, i), s_b = middle(b, j);
-          const double largest_step = a.radius + b.radius;
+          const double scale = a.radius + b.radius;
           const auto   bounded =
             [](const double low, const double value, const double high) {
               return std::min(std::max(value, low), high);
@@ -90,13 +90,15 @@ namespace Heddle
                            fa          = -(connection * point_a.tangent),
                            fb          = connection * point_b.tangent;
               const double determinant = aa * bb - ab * ab;
-              const double step_a      = bounded(
+              const double largest_step =
+                std::max(scale, 0.5 * connection.norm());
+              const double step_a = bounded(
                 -largest_step, (bb * fa + ab * fb) / determinant, largest_step);
               const double step_b = bounded(
                 -largest_step, (ab * fa + aa * fb) / determinant, largest_step);
               s_a = bounded(0., s_a + step_a, a.length());
               s_b = bounded(0., s_b + step_b, b.length());
-              if (std::abs(step_a) + std::abs(step_b) < 1e-6 * largest_step)
+              if (std::abs(step_a) + std::abs(step_b) < 1e-6 * scale)
                 break;
             }
           return point_a.tangent * point_b.tangent;

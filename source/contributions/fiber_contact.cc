@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Heddle
 {
@@ -177,6 +178,15 @@ namespace Heddle
         pattern_pairs.clear();
       cells.search(fibers.curves(), fibers.moved(), filter);
       placed = false;
+
+      thickness.assign(space.n_fibers(), std::numeric_limits<double>::max());
+      for (const Contact::ContactCell &cell : cells.cells())
+        {
+          const double sum =
+            space.fiber(cell.fiber_a).radius + space.fiber(cell.fiber_b).radius;
+          for (const unsigned int f : {cell.fiber_a, cell.fiber_b})
+            thickness[f] = std::min(thickness[f], sum);
+        }
     }
 
 

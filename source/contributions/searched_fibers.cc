@@ -22,6 +22,10 @@ namespace Heddle
        */
       constexpr double longest_step = 0.5 * (1. - 3. * stale_after);
 
+      /** Nor further than this, in sums of radii: two that touch and go each
+       * other's way would change their places at 0.5. */
+      constexpr double part_of_thickness = 0.35;
+
       /**
        * Nodes that a rank holds of a foreign fiber beyond those that are near:
        * new pieces need a new search of all pairs.
@@ -162,15 +166,17 @@ namespace Heddle
 
 
     double
-    SearchedFibers::largest_step(const System::State     &state,
-                                 const System::Increment &increment) const
+    SearchedFibers::largest_step(const System::State       &state,
+                                 const System::Increment   &increment,
+                                 const std::vector<double> &thickness) const
     {
       // Nothing may leave the range within which all pairs are known.
-      double                    largest = 0.;
+      double                    factor = std::numeric_limits<double>::max();
       std::vector<Tensor<1, 3>> positions, tangents;
       const auto                owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
+          double largest = 0.;
           positions.resize(space.fiber(f).n_nodes);
           tangents.resize(space.fiber(f).n_nodes);
           space.centerline_knots(f,
@@ -191,9 +197,12 @@ namespace Heddle
                   std::max(largest,
                            space.fiber(f).radius *
                              increment[state.local_block(f) + b].norm());
+          const double allowed =
+            std::min(longest_step * search_distance * largest_radius,
+                     part_of_thickness * thickness[f]);
+          factor = std::min(factor, allowed / std::max(largest, 1e-300));
         }
-      const double allowed = longest_step * search_distance * largest_radius;
-      return allowed / std::max(largest, 1e-300);
+      return factor;
     }
   } // namespace Contributions
 } // namespace Heddle

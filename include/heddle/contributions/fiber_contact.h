@@ -94,7 +94,7 @@ namespace Heddle
       largest_step(const System::State     &state,
                    const System::Increment &increment) const override
       {
-        return fibers.largest_step(state, increment);
+        return fibers.largest_step(state, increment, thickness);
       }
 
       bool
@@ -253,7 +253,8 @@ namespace Heddle
       std::vector<Contact::ContactCell>    accepted_cells;
       double                               accepted_active = 0.;
       std::vector<Contact::ContactElement> contact_elements;
-      Statistics                           statistics;
+      std::vector<double> thickness; /**< by fiber, see SearchedFibers [mm] */
+      Statistics          statistics;
 
       /** Largest penetration over radius, an iteration ago [-]. */
       double deepest_before = 0.;

@@ -84,11 +84,14 @@ namespace Heddle
 
       /**
        * The largest factor by which the step @p increment may be taken without
-       * that fibers meet unseen. Local.
+       * that fibers meet unseen or that two axes pass through each other, where
+       * @p thickness [mm] is for each fiber the least sum of radii with those
+       * that are watched beside it. Local.
        */
       double
-      largest_step(const System::State     &state,
-                   const System::Increment &increment) const;
+      largest_step(const System::State       &state,
+                   const System::Increment   &increment,
+                   const std::vector<double> &thickness) const;
 
     private:
       /** Return whether there are others now. */
