@@ -74,6 +74,20 @@ namespace Heddle
        */
       constexpr double last_digits =
         256. * std::numeric_limits<double>::epsilon();
+
+
+
+      /**
+       * What a node of a fiber resists at most [N/mm]: E A / h along it, and
+       * across it, where sections stay normal to the axis, 12 E I / h^3.
+       */
+      double
+      largest_stiffness(const System::Fiber &fiber, const bool has_sections)
+      {
+        const double h       = fiber.length / (fiber.n_nodes - 1);
+        const double bending = has_sections ? 0. : fiber.section.bending;
+        return std::max(fiber.section.axial / h, 12. * bending / (h * h * h));
+      }
     } // namespace
 
 
@@ -107,7 +121,6 @@ namespace Heddle
       // a system may be factorized nevertheless: nothing couples fibers then.
       block_system = std::make_unique<System::BlockSystem>(
         state,
-        /*symmetric=*/true,
         /*couplings_apart=*/
         !linear_parameters.direct(state.n_dofs(),
                                   /*contact=*/true));
@@ -121,7 +134,8 @@ namespace Heddle
           const System::Fiber &fiber = state.space.fiber(f);
           length_scale               = std::min(length_scale, fiber.radius);
           stiffest                   = std::max(
-            stiffest, fiber.section.axial * (fiber.n_nodes - 1) / fiber.length);
+            stiffest,
+            largest_stiffness(fiber, state.space.n_blocks_per_node() == 3));
         }
       double size = 0.;
       for (unsigned int b = 0; b < state.n_owned_fiber_blocks();
