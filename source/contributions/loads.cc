@@ -260,13 +260,44 @@ namespace Heddle
               residual[i] = -force[i];
               for (unsigned int j = 0; j < n; ++j)
                 tangent[n * i + j] =
-                  system.is_symmetric()
-                    ? -0.5 * (derivative[n * i + j] + derivative[n * j + i])
-                    : -derivative[n * i + j];
+                  -0.5 * (derivative[n * i + j] + derivative[n * j + i]);
             }
           const std::array<unsigned int, 2> blocks = {
             {moment.block, moment.block + 1}};
           system.add(n_vectors, blocks.data(), residual.data(), tangent.data());
+          if (system.wants_tangent())
+            add_skew_part(moment.block, derivative.data(), system);
+        }
+    }
+
+
+
+    void
+    Loads::add_skew_part(const unsigned int   block,
+                         const double        *derivative,
+                         System::BlockSystem &system) const
+    {
+      // Column by column: the motion of one component, and its forces.
+      const unsigned int        n     = 3 * n_vectors;
+      System::UnsymmetricTerms &terms = system.unsymmetric_terms();
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          Tensor<1, 3> direction;
+          direction[j % 3] = 1.;
+          terms.begin_term(direction);
+          terms.add_motion(block + j / 3, 1.);
+          for (unsigned int a = 0; a < n_vectors; ++a)
+            {
+              Tensor<1, 3> force;
+              for (unsigned int d = 0; d < 3; ++d)
+                {
+                  const unsigned int i = 3 * a + d;
+                  force[d] =
+                    -0.5 * (derivative[n * i + j] - derivative[n * j + i]);
+                }
+              terms.begin_force(force);
+              terms.add_force(block + a, 1.);
+            }
         }
     }
 

@@ -72,17 +72,6 @@ namespace Heddle
 
 
 
-      bool
-      choose_direct(const LinearSolverParameters &parameters,
-                    const System::BlockSystem    &system,
-                    const bool                    contact)
-      {
-        return parameters.direct(system.state.n_dofs(), contact) ||
-               (parameters.kind == "automatic" && !system.is_symmetric());
-      }
-
-
-
       /** Set an option of PETSc, unless the user has. */
       void
       set_default(const std::string &option, const std::string &value)
@@ -211,7 +200,7 @@ namespace Heddle
                         const double looser)
     {
       LinearResult result;
-      if (!choose_direct(parameters, system, /*contact=*/!exactly) &&
+      if (!parameters.direct(system.state.n_dofs(), /*contact=*/!exactly) &&
           (iterate(yarn_motions, looser, result) || !exactly))
         return result;
       factorize(result);
@@ -321,7 +310,7 @@ namespace Heddle
         {
           petsc(KSPCreate(system.state.space.communicator(), &factorizing));
           petsc(KSPGetPC(factorizing, &pc));
-          petsc(PCSetType(pc, system.is_symmetric() ? PCCHOLESKY : PCLU));
+          petsc(PCSetType(pc, PCCHOLESKY));
           petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
 
           // Pivoting needs more room than the analysis foresees, on many ranks

@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace Heddle
@@ -64,11 +65,8 @@ namespace Heddle
 
 
 
-    BlockSystem::BlockSystem(const State &state,
-                             const bool   symmetric,
-                             const bool   couplings_apart)
+    BlockSystem::BlockSystem(const State &state, const bool couplings_apart)
       : state(state)
-      , symmetric(symmetric)
       , couplings_apart(couplings_apart)
       , held_stiffnesses(stiffnesses_of_held(state))
     {
@@ -102,7 +100,7 @@ namespace Heddle
         {
           const auto begin = columns.size();
           for (const unsigned int block : blocks[row])
-            if (!symmetric || global_blocks[block] >= global_blocks[row])
+            if (global_blocks[block] >= global_blocks[row])
               columns.push_back(global_blocks[block]);
           std::sort(columns.begin() + begin, columns.end());
           row_begin.push_back(columns.size());
@@ -113,23 +111,13 @@ namespace Heddle
       petsc(MatCreate(state.space.communicator(), &matrix));
       petsc(MatSetSizes(
         matrix, 3 * n_owned, 3 * n_owned, PETSC_DETERMINE, PETSC_DETERMINE));
-      petsc(MatSetType(matrix, symmetric ? MATSBAIJ : MATBAIJ));
+      petsc(MatSetType(matrix, MATSBAIJ));
       petsc(MatSetBlockSize(matrix, 3));
-      if (symmetric)
-        {
-          petsc(MatSeqSBAIJSetPreallocationCSR(
-            matrix, 3, row_begin.data(), columns.data(), nullptr));
-          petsc(MatMPISBAIJSetPreallocationCSR(
-            matrix, 3, row_begin.data(), columns.data(), nullptr));
-          petsc(MatSetOption(matrix, MAT_IGNORE_LOWER_TRIANGULAR, PETSC_TRUE));
-        }
-      else
-        {
-          petsc(MatSeqBAIJSetPreallocationCSR(
-            matrix, 3, row_begin.data(), columns.data(), nullptr));
-          petsc(MatMPIBAIJSetPreallocationCSR(
-            matrix, 3, row_begin.data(), columns.data(), nullptr));
-        }
+      petsc(MatSeqSBAIJSetPreallocationCSR(
+        matrix, 3, row_begin.data(), columns.data(), nullptr));
+      petsc(MatMPISBAIJSetPreallocationCSR(
+        matrix, 3, row_begin.data(), columns.data(), nullptr));
+      petsc(MatSetOption(matrix, MAT_IGNORE_LOWER_TRIANGULAR, PETSC_TRUE));
       petsc(MatSetOption(matrix, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
       petsc(MatSetOption(matrix, MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
     }

@@ -12,17 +12,12 @@ namespace Heddle
     LocalBlocks::LocalBlocks(Mat matrix)
     {
       petsc(MatGetDiagonalBlock(matrix, &part));
-      petsc(PetscObjectTypeCompare(
-        reinterpret_cast<PetscObject>(part), MATSEQSBAIJ, &symmetric));
       PetscBool done;
       petsc(MatGetRowIJ(
         part, 0, PETSC_FALSE, PETSC_TRUE, &n_rows, &row_begin, &stored, &done));
       AssertThrow(done,
                   dealii::ExcMessage("The tangent does not show its blocks."));
-      if (symmetric)
-        petsc(MatSeqSBAIJGetArray(part, &values));
-      else
-        petsc(MatSeqBAIJGetArray(part, &values));
+      petsc(MatSeqSBAIJGetArray(part, &values));
     }
 
 
@@ -31,10 +26,7 @@ namespace Heddle
     {
       // A destructor throws nothing, and views that end cannot fail.
       PetscBool done;
-      if (symmetric)
-        MatSeqSBAIJRestoreArray(part, &values);
-      else
-        MatSeqBAIJRestoreArray(part, &values);
+      MatSeqSBAIJRestoreArray(part, &values);
       MatRestoreRowIJ(
         part, 0, PETSC_FALSE, PETSC_TRUE, &n_rows, &row_begin, &stored, &done);
     }
@@ -53,7 +45,7 @@ namespace Heddle
       for (unsigned int c = 0; c < n; ++c)
         {
           const PetscInt column = columns[c];
-          if (symmetric && columns[c] < row)
+          if (columns[c] < row)
             continue;
           while (k < row_begin[row + 1] && stored[k] < column)
             ++k;

@@ -86,7 +86,7 @@ public:
   assemble()
   {
     using Heddle::System::BlockSystem;
-    system = std::make_unique<BlockSystem>(state, /*symmetric=*/true);
+    system = std::make_unique<BlockSystem>(state);
     system->begin(BlockSystem::Want::residual);
     contact->assemble(state, *system);
     return system->residual();
@@ -98,7 +98,7 @@ public:
   {
     using Heddle::System::BlockSystem;
     contact->update(state);
-    system = std::make_unique<BlockSystem>(state, /*symmetric=*/true);
+    system = std::make_unique<BlockSystem>(state);
     Heddle::System::BlockPattern pattern(state.n_owned_blocks());
     contact->add_pattern(state, pattern);
     system->set_pattern(pattern);

@@ -49,7 +49,7 @@ struct Scene
     , paths(make_paths(8))
     , space(Simulation::make_space(paths, fiber, MPI_COMM_WORLD))
     , state(*space)
-    , system(state, /*symmetric=*/true)
+    , system(state)
     , enforcement(*space, {{1, 0}})
   {
     blocks             = Simulation::place_on_paths(*space, paths);

@@ -72,7 +72,7 @@ public:
   Motion
   residual()
   {
-    System::BlockSystem system(scene.state, /*symmetric=*/true);
+    System::BlockSystem system(scene.state);
     system.begin(System::BlockSystem::Want::residual);
     friction->assemble(scene.state, system);
     return system.residual();
@@ -82,7 +82,7 @@ public:
   Motion
   tangent_times(const Motion &motion)
   {
-    System::BlockSystem  system(scene.state, /*symmetric=*/true);
+    System::BlockSystem  system(scene.state);
     System::BlockPattern pattern(scene.state.n_owned_blocks());
     friction->add_pattern(scene.state, pattern);
     system.set_pattern(pattern);

@@ -73,7 +73,7 @@ public:
   forces()
   {
     place();
-    System::BlockSystem system(scene.state, /*symmetric=*/true);
+    System::BlockSystem system(scene.state);
     system.begin(System::BlockSystem::Want::residual);
     friction->assemble(scene.state, system);
     return system.residual();
@@ -84,7 +84,7 @@ public:
   tangent_times(const Motion &motion)
   {
     place();
-    System::BlockSystem  system(scene.state, /*symmetric=*/true);
+    System::BlockSystem  system(scene.state);
     System::BlockPattern pattern(scene.state.n_owned_blocks());
     friction->add_pattern(scene.state, pattern);
     system.set_pattern(pattern);

@@ -53,7 +53,7 @@ take_newton_step(SceneType &scene)
   state.move(1., disturbance);
 
   NewtonStep           result;
-  BlockSystem          system(state, /*symmetric=*/false);
+  BlockSystem          system(state);
   System::BlockPattern pattern(state.n_owned_blocks());
   for (const auto &contribution : scene.contributions)
     {

@@ -20,7 +20,7 @@ public:
     const Tensor<1, 3> along({1., 0., 0.}), beside({0., 1., 0.});
     build({straight_path({}, along, /*n_knots=*/5, /*radius=*/0.1),
            straight_path(beside, beside + along, 5, 0.1)});
-    system = std::make_unique<System::BlockSystem>(*state, /*symmetric=*/true);
+    system = std::make_unique<System::BlockSystem>(*state);
     System::BlockPattern pattern(state->n_owned_blocks());
     for (unsigned int b = 0; b < state->n_owned_blocks(); ++b)
       pattern.couple(1, &b);

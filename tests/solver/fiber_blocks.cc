@@ -41,7 +41,7 @@ public:
           0.1 * mm));
       }
     build(paths);
-    system = std::make_unique<System::BlockSystem>(*state, /*symmetric=*/true);
+    system = std::make_unique<System::BlockSystem>(*state);
   }
 
   /**

@@ -102,7 +102,7 @@ examine(System::State &state, const std::string &kind, const Push &like)
 {
   const auto                  push          = std::make_shared<Push>(like);
   const Solver::Contributions contributions = {push};
-  System::BlockSystem         system(state, /*symmetric=*/true);
+  System::BlockSystem         system(state);
   system.set_pattern(System::BlockPattern(state.n_owned_blocks()));
   system.set_constraints({});
   system.begin(System::BlockSystem::Want::residual_and_tangent);

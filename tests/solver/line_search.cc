@@ -179,7 +179,7 @@ examine_raised(System::State &state, const double pending)
 {
   Solver::Contributions contributions = {std::make_shared<Spring>(),
                                          std::make_shared<Tie>()};
-  System::BlockSystem   system(state, /*symmetric=*/true);
+  System::BlockSystem   system(state);
   System::BlockPattern  pattern(state.n_owned_blocks());
   contributions[1]->add_pattern(state, pattern);
   system.set_pattern(pattern);
@@ -228,7 +228,7 @@ main(int argc, char **argv)
   const auto                  walls         = std::make_shared<Walls>();
   const Solver::Contributions contributions = {std::make_shared<Spring>(),
                                                walls};
-  System::BlockSystem         system(state, /*symmetric=*/true);
+  System::BlockSystem         system(state);
   system.set_pattern(System::BlockPattern(state.n_owned_blocks()));
   system.set_constraints({});
   system.begin(System::BlockSystem::Want::residual_and_tangent);

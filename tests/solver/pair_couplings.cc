@@ -108,9 +108,7 @@ public:
   std::unique_ptr<System::BlockSystem>
   assemble(const bool apart)
   {
-    auto                 system = std::make_unique<System::BlockSystem>(*state,
-                                                        /*symmetric=*/true,
-                                                        apart);
+    auto system = std::make_unique<System::BlockSystem>(*state, apart);
     System::BlockPattern pattern(state->n_owned_blocks(), apart);
     for (const auto &contribution : contributions)
       contribution->add_pattern(*state, pattern);

@@ -16,7 +16,7 @@ main(int argc, char **argv)
        Tensor<1, 3>({0., 1., 0.}), Tensor<1, 3>({1., 1., 0.}), 5, 0.1)});
   const System::State &state = *scene.state;
 
-  System::BlockSystem  system(state, /*symmetric=*/true);
+  System::BlockSystem  system(state);
   System::BlockPattern pattern(state.n_owned_blocks());
   system.set_pattern(pattern);
   Solver::LinearSolverParameters parameters;

@@ -40,7 +40,7 @@ public:
       if (!space->owns(f))
         foreign.push_back({f, space->all_nodes(f)});
     state->set_ghost_fibers(foreign);
-    system = std::make_unique<System::BlockSystem>(*state, /*symmetric=*/true);
+    system = std::make_unique<System::BlockSystem>(*state);
 
     // Neighbours are tied along a yarn, yarns weakly, to the ground hardly.
     System::BlockPattern pattern(state->n_owned_blocks());

@@ -144,6 +144,13 @@ namespace Heddle
       void
       find_largest_force();
 
+      /** Of the @p derivative of a moment's forces on the block and the next.
+       */
+      void
+      add_skew_part(const unsigned int   block,
+                    const double        *derivative,
+                    System::BlockSystem &system) const;
+
       const System::FiberSpace &space;
       const LoadList           &loads;
       const unsigned int        n_vectors; /**< per node: 1 or 2 */

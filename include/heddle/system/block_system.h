@@ -56,13 +56,10 @@ namespace Heddle
       };
 
       /**
-       * @p symmetric halves the storage and permits LDL^T and CG. Solvers that
-       * only multiply with the tangent may keep @p couplings_apart from its
-       * matrix.
+       * Solvers that only multiply with the tangent may keep
+       * @p couplings_apart from its matrix.
        */
-      BlockSystem(const State &state,
-                  const bool   symmetric,
-                  const bool   couplings_apart = false);
+      BlockSystem(const State &state, const bool couplings_apart = false);
 
       ~BlockSystem();
 
@@ -202,8 +199,8 @@ namespace Heddle
       get_unbalanced(Vec values) const;
 
       /**
-       * The matrix of the tangent, n_dofs x n_dofs, SBAIJ or BAIJ of block size
-       * 3.
+       * The matrix of the tangent, n_dofs x n_dofs, of which one half is
+       * stored: SBAIJ of block size 3.
        */
       Mat
       tangent() const
@@ -252,12 +249,6 @@ namespace Heddle
       void
       extract_increment(std::vector<Tensor<1, 3>> &values) const;
 
-      bool
-      is_symmetric() const
-      {
-        return symmetric;
-      }
-
       const State &state;
 
     private:
@@ -290,7 +281,6 @@ namespace Heddle
                   const std::vector<Tensor<1, 3>> &of_blocks,
                   std::vector<Tensor<1, 3>>       &sum) const;
 
-      const bool symmetric;
       const bool couplings_apart;
       Want       want = Want::residual;
 

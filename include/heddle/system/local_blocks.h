@@ -8,8 +8,8 @@ namespace Heddle
   namespace System
   {
     /**
-     * What an assembled matrix of 3x3 blocks (SBAIJ or BAIJ) holds between the
-     * blocks of this rank, to be read and written in place as long as this
+     * What an assembled symmetric matrix of 3x3 blocks (SBAIJ) holds between
+     * the blocks of this rank, to be read and written in place as long as this
      * object lives. What PETSc does for one term, a search for the place of
      * every block, is done once for a row here.
      */
@@ -33,15 +33,14 @@ namespace Heddle
       for_each_of_upper_row(const unsigned int row, const Action &action) const
       {
         for (PetscInt k = row_begin[row]; k < row_begin[row + 1]; ++k)
-          if (static_cast<unsigned int>(stored[k]) >= row)
-            action(static_cast<unsigned int>(stored[k]), values + 9 * k);
+          action(static_cast<unsigned int>(stored[k]), values + 9 * k);
       }
 
       /**
        * Add to the owned @p row the blocks of its columns @p columns, @p n
        * owned ones in ascending order. Block k is the one at column
        * 3 @p places[k] of the three rows @p added, which are @p stride apart.
-       * What a symmetric matrix does not store is left out.
+       * What lies below the diagonal is left out.
        */
       void
       add_to_row(const unsigned int  row,
@@ -53,7 +52,6 @@ namespace Heddle
 
     private:
       Mat             part;
-      PetscBool       symmetric;
       PetscInt        n_rows;
       const PetscInt *row_begin, *stored;
       double         *values;
