@@ -86,7 +86,8 @@ namespace Heddle
                     ramp,
                     "Formula of the load factor t by which strains and angles "
                     "are multiplied, 0 at t = 0, for instance "
-                    "'1 - abs(2*t - 1)' to load and unload [-].");
+                    "'1 - abs(2*t - 1)' to load and unload. Where it turns "
+                    "back there is a load step [-].");
       parse_parameters_call_back.connect([this]() { check(); });
     }
 
@@ -139,6 +140,46 @@ namespace Heddle
                     shortly(*number) +
                     " twice; each load case is computed once.");
         }
+    }
+
+
+
+    std::vector<double>
+    FabricLoadingParameters::turning_points() const
+    {
+      const Expression formula(ramp, fabric_loading + "\"Ramp\"");
+      const auto       at = [&formula](const double t) {
+        return formula.value(Tensor<1, 3>(), t);
+      };
+
+      // Sampled finely, then drawn together by golden section, which needs no
+      // derivative: most have a kink there.
+      constexpr unsigned int n      = 1000;
+      const double           golden = 0.5 * (std::sqrt(5.) - 1.);
+      std::vector<double>    points;
+      for (unsigned int i = 1; i < n; ++i)
+        {
+          double       low = (i - 1.) / n, high = (i + 1.) / n;
+          const double before = at(double(i) / n) - at(low),
+                       after  = at(high) - at(double(i) / n);
+          if (before == 0. || before * after > 0.)
+            continue;
+          const double sign = before > 0. ? 1. : -1., beyond = sign * at(high);
+          while (high - low > 1e-9)
+            {
+              const double left  = high - golden * (high - low),
+                           right = low + golden * (high - low);
+              (sign * at(left) > sign * at(right) ? high : low) =
+                sign * at(left) > sign * at(right) ? right : left;
+            }
+          // The one that was meant, if it is a round one; none where it stays.
+          const double found = 0.5 * (low + high);
+          const double round = std::round(1e6 * found) / 1e6;
+          const double point = std::abs(found - round) < 1e-8 ? round : found;
+          if (sign * at(point) > beyond)
+            points.push_back(point);
+        }
+      return points;
     }
 
 

@@ -14,6 +14,9 @@ namespace Heddle
       /** Load factors closer than this are one. */
       constexpr double tiny = 1e-12;
 
+      /** Points so close to each other are one. */
+      constexpr double same_point = 1e-6;
+
       /** Good steps after a cut before it is forgotten. */
       constexpr unsigned int first_patience = 3;
     } // namespace
@@ -82,6 +85,21 @@ namespace Heddle
           before = point;
         }
       return entries;
+    }
+
+
+
+    void
+    LoadPlan::reach(const std::vector<double> &more)
+    {
+      points.insert(points.end(), more.begin(), more.end());
+      std::sort(points.begin(), points.end());
+      points.erase(std::unique(points.begin(),
+                               points.end(),
+                               [](const double one, const double next) {
+                                 return next - one < same_point;
+                               }),
+                   points.end());
     }
 
 

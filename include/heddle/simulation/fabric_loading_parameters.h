@@ -38,6 +38,11 @@ namespace Heddle
       void
       check() const;
 
+      /** Load factors between 0 and 1 at which the ramp goes up or down no
+       * longer, in ascending order. */
+      std::vector<double>
+      turning_points() const;
+
       /** The load cases in their order; their sides hold @p matrix too. */
       std::vector<Contributions::FabricCase>
       cases(const bool matrix) const;

@@ -26,6 +26,10 @@ namespace Heddle
 
       /** Load factors that are hit exactly, beside 1, ascending [-]. */
       std::vector<double> points;
+
+      /** Hit @p more of them as well. */
+      void
+      reach(const std::vector<double> &more);
     };
 
 
