@@ -68,36 +68,50 @@ namespace Heddle
     {
       // The cell itself, one of another level that covers its middle, or, where
       // the fibers turned through a right angle, one of the other orientation
-      // between the same particles. If all are of one kind it can only be one
-      // of the same number.
-      const auto alike = [&cell](const ContactCell &old) {
-        return old.orientation == cell.orientation && old.level == cell.level;
-      };
-      const ContactCell *begin = first, *end = last;
-      if (first != last && alike(*first) && alike(*(last - 1)))
-        {
-          const auto number_below = [](const ContactCell &old,
-                                       const int          number) {
-            return old.number < number;
-          };
-          begin = std::lower_bound(first, last, cell.number, number_below);
-          end   = std::lower_bound(begin, last, cell.number + 1, number_below);
-        }
-
+      // between the same particles.
       const Place        here  = place_of(cell);
       const ContactCell *found = nullptr;
-      for (const ContactCell *old = begin; old != end; ++old)
+      for (const ContactCell *kind = first; kind != last;)
         {
-          const Place  there = place_of(*old);
-          const double close = 0.3 * (there.size + here.size);
-          const bool   same =
-            old->orientation == cell.orientation
-                ? std::abs(there.p - here.p) < 0.51 * there.size &&
-                  std::abs(there.q - here.q) < whole
-                : std::abs(there.s_a - here.s_a) < close &&
-                  std::abs(there.s_b - here.s_b) < close;
-          if (same && (!found || old->penalty > found->penalty))
-            found = old;
+          // Those of one kind follow each other by their numbers: look at what
+          // may be near.
+          const ContactCell *kind_end = std::upper_bound(
+            kind,
+            last,
+            *kind,
+            [](const ContactCell &one, const ContactCell &other) {
+              return std::tie(one.orientation, one.level) <
+                     std::tie(other.orientation, other.level);
+            });
+          const bool   alike = kind->orientation == cell.orientation;
+          const double size  = whole / (1u << kind->level);
+          const double close = 0.3 * (size + here.size);
+          const double reach = alike ? 0.51 * size : 2. * close;
+          const double middle =
+            alike ? here.p : here.s_a + kind->orientation * here.s_b;
+          const int          lowest = std::floor((middle - reach) / size - 0.5);
+          const int          highest = std::ceil((middle + reach) / size - 0.5);
+          const ContactCell *begin =
+            std::lower_bound(kind,
+                             kind_end,
+                             lowest,
+                             [](const ContactCell &old, const int number) {
+                               return old.number < number;
+                             });
+          for (const ContactCell *old = begin;
+               old != kind_end && old->number <= highest;
+               ++old)
+            {
+              const Place there = place_of(*old);
+              const bool  same  = alike
+                                    ? std::abs(there.p - here.p) < 0.51 * size &&
+                                      std::abs(there.q - here.q) < whole
+                                    : std::abs(there.s_a - here.s_a) < close &&
+                                      std::abs(there.s_b - here.s_b) < close;
+              if (same && (!found || old->penalty > found->penalty))
+                found = old;
+            }
+          kind = kind_end;
         }
       return found;
     }
