@@ -72,6 +72,25 @@ namespace Heddle
 
 
 
+      /**
+       * Whether a factorization failed for want of memory. PETSc says so, too,
+       * where the pivots of MUMPS do not fit into the room that it had left for
+       * them, as happens with tangents that are next to singular.
+       */
+      bool
+      lacks_memory(const PC pc, const PCFailedReason reason)
+      {
+        if (reason != PC_FACTOR_OUTMEMORY)
+          return false;
+        Mat factor;
+        petsc(PCFactorGetMatrix(pc, &factor));
+        PetscInt error;
+        petsc(MatMumpsGetInfog(factor, 1, &error));
+        return error == -13;
+      }
+
+
+
       /** Set an option of PETSc, unless the user has. */
       void
       set_default(const std::string &option, const std::string &value)
@@ -334,8 +353,8 @@ namespace Heddle
       petsc(KSPGetPC(factorizing, &pc));
       petsc(PCGetFailedReason(pc, &reason));
       const MPI_Comm communicator = system.state.space.communicator();
-      if (Utilities::MPI::max(reason == PC_FACTOR_OUTMEMORY ? 1 : 0,
-                              communicator) > 0)
+      if (Utilities::MPI::max(lacks_memory(pc, reason) ? 1 : 0, communicator) >
+          0)
         throw std::runtime_error(
           "The memory of this machine does not suffice for a factorization "
           "of " +
