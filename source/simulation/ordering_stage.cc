@@ -128,8 +128,8 @@ namespace Heddle
       Contributions::CrossingEnforcement &enforcement)
     {
       Solver::NewtonLimits limits;
-      limits.max_iterations = parameters.iterations;
-      limits.damping        = parameters.damping;
+      limits.max_iterations = limits.max_at_zero = parameters.iterations;
+      limits.damping                             = parameters.damping;
       Solver::Newton newton(limits,
                             linear_parameters,
                             state.space.communicator(),

@@ -261,8 +261,13 @@ namespace Heddle
         const std::string wrong = wrong_crossings();
         return wrong.empty()
                  ? ""
-                 : wrong + "; start with more crimp (Weave/Crimp factor), or "
-                           "interpenetrating with more ordering steps";
+                 : wrong +
+                     "; start with more crimp (Weave/Crimp factor), or "
+                     "interpenetrating with more ordering steps, and see "
+                     "to it that yarns do not slip off the ends of others "
+                     "(Weave/End length, Initial configuration/Axial "
+                     "tension) and that elements are short where fibers "
+                     "bend (Fiber/Elements per fiber)";
       };
       all_stages.push_back(stage);
     }
@@ -336,6 +341,8 @@ namespace Heddle
                          std::make_shared<Contributions::FabricSupports>(
                            *fiber_space, initial_blocks, test, size));
           all_stages.back().begins_initially = true;
+          all_stages.back().plan.reach(
+            parameters.fabric_loading.turning_points());
         }
     }
 
@@ -355,7 +362,9 @@ namespace Heddle
       if (!parameters.loads.empty())
         stage.contributions.push_back(std::make_shared<Contributions::Loads>(
           *fiber_space, initial_blocks, parameters.loads));
-      if (is_fabric())
+      // A matrix holds axes alone: nothing resists the spin of a straight
+      // fiber.
+      if (is_fabric() || parameters.matrix.enabled)
         add_section_damping(stage, fiber_friction != nullptr);
       if (fiber_contact)
         stage.contributions.push_back(fiber_contact);

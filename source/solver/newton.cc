@@ -161,6 +161,9 @@ namespace Heddle
       const Calm       &calmness =
         aim == Aim::calm ? before_friction : before_equilibrium;
 
+      const unsigned int limit = state.load_factor == 0.
+                                   ? parameters.max_at_zero
+                                   : parameters.max_iterations;
       set_softness(contributions, 0.);
       damping->reset(/*in_motion=*/false);
       for (unsigned int iteration = 0;; ++iteration)
@@ -235,7 +238,7 @@ namespace Heddle
                   return result;
                 }
             }
-          if (iteration == parameters.max_iterations)
+          if (iteration == limit)
             {
               result.used_up = true;
               if (!balanced)

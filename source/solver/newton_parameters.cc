@@ -27,7 +27,8 @@ namespace Heddle
                     given_iterations,
                     "Iterations after which a load step is given up; 0: 500 "
                     "for a weave, a measured fabric and centerlines that are "
-                    "straight when free, 60 for others [-].",
+                    "straight when free, or before loads begin, 60 for others "
+                    "[-].",
                     prm,
                     Patterns::Integer(0));
       add_parameter("Damping",
@@ -47,16 +48,17 @@ namespace Heddle
     NewtonParameters::choose_for(const bool fabric,
                                  const bool straight_when_free)
     {
-      residual_tolerance  = given_residual > 0. ? given_residual
-                            : fabric            ? 0.01
-                                                : 1e-5;
-      increment_tolerance = given_increment > 0. ? given_increment
-                            : fabric             ? 0.1
-                                                 : 1e-3;
-      if (given_iterations > 0)
-        max_iterations = given_iterations;
-      else
-        max_iterations = fabric || straight_when_free ? 500 : 60;
+      residual_tolerance   = given_residual > 0. ? given_residual
+                             : fabric            ? 0.01
+                                                 : 1e-5;
+      increment_tolerance  = given_increment > 0. ? given_increment
+                             : fabric             ? 0.1
+                                                  : 1e-3;
+      const bool from_afar = fabric || straight_when_free;
+      max_iterations       = given_iterations > 0 ? given_iterations
+                             : from_afar          ? 500
+                                                  : 60;
+      max_at_zero          = given_iterations > 0 ? given_iterations : 500;
     }
   } // namespace Solver
 } // namespace Heddle

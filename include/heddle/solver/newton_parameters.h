@@ -17,6 +17,7 @@ namespace Heddle
       double       residual_tolerance  = 1e-5;
       double       increment_tolerance = 1e-3;
       unsigned int max_iterations      = 60;
+      unsigned int max_at_zero         = 60; /**< iterations at load factor 0 */
       double       damping             = 3e-4;
     };
 
@@ -32,7 +33,8 @@ namespace Heddle
        * Set what was not given. A @p fabric is settled when what its contacts
        * carry is balanced to a hundredth: its last fibers find their places
        * slowly, and change little. Fibers that are @p straight_when_free come
-       * from as far.
+       * from as far, and so do those that have to settle before loads begin,
+       * in a step that cannot be halved.
        */
       void
       choose_for(const bool fabric, const bool straight_when_free);
