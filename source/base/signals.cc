@@ -32,7 +32,7 @@ namespace Heddle
     , start(std::chrono::steady_clock::now())
   {
     internal::StopRequest::last_signal = 0;
-    for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1})
       {
         struct sigaction action = {};
         action.sa_handler       = internal::StopRequest::heddle_note_signal;
@@ -45,7 +45,7 @@ namespace Heddle
 
   StopRequest::~StopRequest()
   {
-    for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1})
       std::signal(signal, SIG_DFL);
   }
 

@@ -24,7 +24,8 @@ namespace Heddle
                     "Surfaces closer than this are watched for contact, as a "
                     "multiple of the largest radius. A larger one means fewer "
                     "searches and more to watch; no step moves a fiber by more "
-                    "than 0.35 of it [-].",
+                    "than 0.35 of it, nor of the sum of its radius and that of "
+                    "the thinnest fiber beside it [-].",
                     prm,
                     Patterns::Double(0.1, 4.));
       add_parameter("Refinement",

@@ -56,7 +56,12 @@ namespace Heddle
         contact.elements().begin(), contact.elements().end(), touches));
       for (const Contact::ContactElement &touching : contact.elements())
         if (touches(touching))
-          elements.push_back(make_element(state, touching));
+          {
+            // Some pairs of sets may have no friction.
+            const Element element = make_element(state, touching);
+            if (element.law.limit > 0.)
+              elements.push_back(element);
+          }
       placement = contact.placement();
     }
 

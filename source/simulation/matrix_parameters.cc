@@ -28,7 +28,7 @@ namespace Heddle
                     "well before a result is taken for one of the material "
                     "[-].",
                     prm,
-                    Patterns::Double(0.));
+                    Patterns::Double(1e-6));
       add_parameter("Coupling points per element",
                     points_per_element,
                     "Links in each element of a fiber; 0: one in each node "

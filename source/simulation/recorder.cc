@@ -363,11 +363,15 @@ namespace Heddle
         IO::CellMeans means;
         const auto    points =
           scene.matrix()->elasticity()->evaluate(scene.state(), c);
+        double volume = 0.;
         for (const Solid::PointState &point : points)
           {
-            means.strain += point.strain / points.size();
-            means.stress += point.stress / points.size();
+            volume += point.volume;
+            means.strain += point.volume * point.strain;
+            means.stress += point.volume * point.stress;
           }
+        means.strain /= volume;
+        means.stress /= volume;
         means.von_mises = Solid::von_mises(means.stress);
         return means;
       };

@@ -219,6 +219,7 @@ namespace Heddle
           states[q].stress =
             material.cauchy_stress(deformation[q], dilatation[q].value);
           states[q].von_mises = von_mises(states[q].stress);
+          states[q].volume    = weights[q];
         }
     }
   } // namespace Solid

@@ -54,11 +54,13 @@ namespace Heddle
 
 
 
+      /** One that runs along z lies across both axes of the rectangle. */
       bool
       runs_along(const YarnBody &body, const unsigned int d)
       {
         const Tensor<1, 3> chord = body.end(1) - body.end(0);
-        return std::abs(chord[d]) >= std::abs(chord[1 - d]);
+        return std::abs(chord[d]) >= std::abs(chord[1 - d]) &&
+               std::abs(chord[d]) >= std::abs(chord[2]);
       }
 
 

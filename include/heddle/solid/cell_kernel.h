@@ -17,6 +17,7 @@ namespace Heddle
 
       SymmetricTensor<2, 3> stress;         /**< Cauchy's [MPa] */
       double                von_mises = 0.; /**< [MPa] */
+      double                volume    = 0.; /**< that the point stands for */
     };
 
     /**

@@ -49,7 +49,7 @@ namespace Heddle
       YarnFamily  weft;
 
       /** Yarn beyond its last crossing, in spacings of those it crosses [-]. */
-      double end_length = 0.5;
+      double end_length = 1.;
 
       Start start = Start::crimped;
 
