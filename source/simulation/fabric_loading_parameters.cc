@@ -144,6 +144,18 @@ namespace Heddle
 
 
 
+    double
+    FabricLoadingParameters::largest_shear_angle() const
+    {
+      double largest = 0.;
+      if (is_shear())
+        for (const double angle : shear_angles)
+          largest = std::max(largest, std::abs(angle));
+      return largest;
+    }
+
+
+
     std::vector<double>
     FabricLoadingParameters::turning_points() const
     {

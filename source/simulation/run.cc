@@ -95,6 +95,11 @@ namespace Heddle
 
 
 
+      /** Sheared by more, a linear matrix is off by some percent [degrees]. */
+      constexpr double large_angle = 10.;
+
+
+
       void
       print_sizes(Log &log, const Scene &scene, const Parameters &parameters)
       {
@@ -109,6 +114,13 @@ namespace Heddle
         log << '\n';
         if (scene.weave())
           print_weights(log, *scene.weave(), parameters.weave.description());
+        if (scene.is_fabric() &&
+            parameters.restart.initial_configuration.empty())
+          log << "Tension        "
+              << parameters.settle.axial_tension *
+                   parameters.fiber.axial_modulus
+              << " MPa in every fiber while the fabric settles, with which a "
+                 "test begins (Initial configuration/Axial tension)\n";
         log << "Extent         " << extent_in_words(scene) << " at the start\n"
             << "Nodes          " << space.n_nodes() << '\n'
             << "Unknowns       " << space.n_dofs() << '\n';
@@ -137,6 +149,11 @@ namespace Heddle
         const std::string overlap = scene.overlap_at_start();
         if (!overlap.empty())
           log << "\nNote           " << overlap;
+        if (parameters.matrix.enabled &&
+            parameters.matrix.material.law == "linear" &&
+            parameters.fabric_loading.largest_shear_angle() > large_angle)
+          log << "\nNote           Matrix/Law is linear, which takes turns for "
+                 "strains: under such shear another one is right";
         log << "\nLinear solver  "
             << (scene.will_be_factorized(matrix.n_nodes) ? "direct"
                                                          : "fiber blocks")

@@ -34,6 +34,10 @@ namespace Heddle
         return kind == "uniaxial tension" && sides == "free";
       }
 
+      /** Of all load cases [degrees]; 0 where none shears. */
+      double
+      largest_shear_angle() const;
+
       /** Throw InputError if the entries make no test. */
       void
       check() const;
