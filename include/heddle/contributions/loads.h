@@ -20,8 +20,8 @@ namespace Heddle
      *
      * Forces per length act on the smooth centerline, as contact does. Moments
      * turn the section vectors or the tangent of a node, see
-     * Beam::end_moment(); where their tangent is not symmetric its symmetric
-     * part is used in a symmetric system.
+     * Beam::end_moment(); the part of their tangent that is not symmetric is
+     * beside the matrix of the system.
      */
     class Loads : public System::Contribution
     {

@@ -54,11 +54,10 @@ namespace Heddle
 
     /**
      * Solver of the linear systems of one BlockSystem: a sparse factorization
-     * by MUMPS (LDL^T if the matrix is symmetric, else LU), which needs all
-     * that is symmetric in the matrix, or conjugate gradients with
-     * BlockPreconditioner. Where the tangent has unsymmetric
-     * terms beside its matrix, GMRES goes on from what these have found, if
-     * that is not good enough.
+     * by MUMPS (LDL^T), which needs all that is symmetric in the matrix, or
+     * conjugate gradients with BlockPreconditioner. Where the tangent has
+     * unsymmetric terms beside its matrix, GMRES goes on from what these have
+     * found, if that is not good enough.
      */
     class LinearSolver
     {
