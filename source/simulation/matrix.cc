@@ -1,6 +1,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/post/centerline.h>
 #include <heddle/simulation/matrix.h>
+#include <heddle/textile/fiber_volume.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <iomanip>
 #include <map>
+#include <numeric>
 #include <set>
 #include <sstream>
 
@@ -370,19 +372,8 @@ namespace Heddle
     std::vector<double>
     Matrix::find_doubled_parts()
     {
-      std::vector<double> volumes(mesh->cells().size(), 0.);
-      for (const Textile::FiberAxis &axis : axes)
-        for (unsigned int i = 0; i + 1 < axis.points.size(); ++i)
-          {
-            const Tensor<1, 3> piece = axis.points[i + 1] - axis.points[i];
-            const auto found = mesh->locate(axis.points[i] + 0.5 * piece);
-            if (found.cell == Textile::no_cell)
-              continue;
-            const double volume =
-              numbers::PI * axis.radius * axis.radius * piece.norm();
-            counted.doubled += volume;
-            volumes[found.cell] += volume;
-          }
+      std::vector<double> volumes = Textile::fiber_volumes(*mesh, axes);
+      counted.doubled = std::accumulate(volumes.begin(), volumes.end(), 0.);
       for (unsigned int c = 0; c < volumes.size(); ++c)
         volumes[c] /= mesh->volume(c);
       return volumes;
