@@ -1,3 +1,4 @@
+#include <heddle/base/normals.h>
 #include <heddle/base/throw_together.h>
 #include <heddle/contributions/supports.h>
 #include <heddle/system/block_archive.h>
@@ -17,18 +18,11 @@ namespace Heddle
       Tensor<2, 3>
       frame_along(const Tensor<1, 3> &tangent)
       {
-        unsigned int smallest = 0;
-        for (unsigned int d = 1; d < 3; ++d)
-          if (std::abs(tangent[d]) < std::abs(tangent[smallest]))
-            smallest = d;
-        Tensor<1, 3> axis;
-        axis[smallest] = 1.;
-
+        const auto   normals = two_normals(tangent);
         Tensor<2, 3> frame;
         frame[0] = tangent / tangent.norm();
-        frame[1] = cross_product_3d(frame[0], axis);
-        frame[1] /= frame[1].norm();
-        frame[2] = cross_product_3d(frame[0], frame[1]);
+        frame[1] = normals[0];
+        frame[2] = normals[1];
         return frame;
       }
     } // namespace

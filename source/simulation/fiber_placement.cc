@@ -1,3 +1,4 @@
+#include <heddle/base/normals.h>
 #include <heddle/simulation/fiber_placement.h>
 
 #include <deal.II/base/exceptions.h>
@@ -10,23 +11,6 @@ namespace Heddle
   {
     namespace
     {
-      /** A unit vector normal to @p tangent. */
-      Tensor<1, 3>
-      any_normal(const Tensor<1, 3> &tangent)
-      {
-        // Away from the axis of space that is closest to the tangent.
-        unsigned int smallest = 0;
-        for (unsigned int d = 1; d < 3; ++d)
-          if (std::abs(tangent[d]) < std::abs(tangent[smallest]))
-            smallest = d;
-        Tensor<1, 3> axis;
-        axis[smallest] = 1.;
-        axis -= (axis * tangent) / tangent.norm_square() * tangent;
-        return axis / axis.norm();
-      }
-
-
-
       template <typename PointsOfFiber>
       std::vector<Tensor<1, 3>>
       place_owned(const System::FiberSpace &space, const PointsOfFiber &points)
@@ -100,7 +84,7 @@ namespace Heddle
 
           // The normal of the node before, turned into this section.
           if (i == 0)
-            normal = any_normal(tangent);
+            normal = -two_normals(tangent)[1];
           normal -= (normal * tangent) / tangent.norm_square() * tangent;
           normal /= normal.norm();
           node[1] = normal;

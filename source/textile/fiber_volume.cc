@@ -1,3 +1,4 @@
+#include <heddle/base/normals.h>
 #include <heddle/textile/fiber_volume.h>
 
 #include <deal.II/base/numbers.h>
@@ -29,20 +30,6 @@ namespace Heddle
 
 
 
-      /** Two unit vectors at right angles to @p direction and each other. */
-      std::array<Tensor<1, 3>, 2>
-      vectors_across(const Tensor<1, 3> &direction)
-      {
-        unsigned int least = 0;
-        for (unsigned int d = 1; d < 3; ++d)
-          if (std::abs(direction[d]) < std::abs(direction[least]))
-            least = d;
-        Tensor<1, 3> other;
-        other[least]              = 1.;
-        const Tensor<1, 3> first  = cross_product_3d(direction, other),
-                           second = cross_product_3d(direction, first);
-        return {{first / first.norm(), second / second.norm()}};
-      }
     } // namespace
 
 
@@ -61,7 +48,7 @@ namespace Heddle
             {
               const Tensor<1, 3> piece  = fiber.points[i + 1] - fiber.points[i];
               const unsigned int n      = std::ceil(piece.norm() / spacing);
-              const auto         across = vectors_across(piece);
+              const auto         across = two_normals(piece);
               const double volume = numbers::PI * fiber.radius * fiber.radius *
                                     piece.norm() / (n * n_across);
               for (unsigned int k = 0; k < n; ++k, ++turn)

@@ -1,4 +1,5 @@
 #include <heddle/base/convex_hull.h>
+#include <heddle/base/normals.h>
 #include <heddle/textile/extent.h>
 #include <heddle/textile/yarn_body.h>
 
@@ -47,23 +48,6 @@ namespace Heddle
             inside   = inside && edge[0] * arm[1] - edge[1] * arm[0] >= 0.;
           }
         return inside ? distance : -distance;
-      }
-
-
-
-      /** Two unit vectors normal to @p normal and to each other. */
-      std::array<Tensor<1, 3>, 2>
-      axes_across(const Tensor<1, 3> &normal)
-      {
-        unsigned int least = 0;
-        for (unsigned int d = 1; d < 3; ++d)
-          if (std::abs(normal[d]) < std::abs(normal[least]))
-            least = d;
-        Tensor<1, 3> other;
-        other[least]        = 1.;
-        Tensor<1, 3> across = cross_product_3d(other, normal);
-        across /= across.norm();
-        return {{across, cross_product_3d(normal, across)}};
       }
 
 
@@ -152,7 +136,7 @@ namespace Heddle
     YarnBody::add_section(const std::vector<Polyline> &lines,
                           const CuttingPlane          &plane)
     {
-      const std::array<Tensor<1, 3>, 2> axes = axes_across(plane.normal);
+      const std::array<Tensor<1, 3>, 2> axes = two_normals(plane.normal);
       std::vector<Point<2>>             points;
       Extent                            heights;
       for (const Polyline &line : lines)
