@@ -76,9 +76,12 @@ namespace Heddle
       const double radius = std::min(space.fiber(element.fiber_a).radius,
                                      space.fiber(element.fiber_b).radius);
       const double coefficient =
+        motion.side_on *
         coefficients(element.fiber_a, element.fiber_b, motion.cosine);
       element.law = {coefficient * touching.force,
                      parameters.reversible_displacement * radius};
+      if (coefficient == 0.)
+        return element;
 
       element.limit_stiffness = coefficient * contact.stiffness(touching);
 
@@ -213,10 +216,12 @@ namespace Heddle
       response.force           = {{force * axes[0], force * axes[1]}};
       if (with_stiffness)
         {
-          const Tensor<2, 3> k = element.law.stiffness(u, element.normal);
-          response.along       = axes[0] * (k * axes[0]);
-          response.mixed       = axes[0] * (k * axes[1]);
-          response.across      = axes[1] * (k * axes[1]);
+          // What slides before there is contact does not count.
+          const Tensor<2, 3> k =
+            element.share_of_slide() * element.law.stiffness(u, element.normal);
+          response.along  = axes[0] * (k * axes[0]);
+          response.mixed  = axes[0] * (k * axes[1]);
+          response.across = axes[1] * (k * axes[1]);
         }
       return response;
     }
@@ -327,10 +332,10 @@ namespace Heddle
         if (space.owns(element.fiber_a))
           {
             const Tensor<1, 3> u      = element.displacement(state.current());
-            const Tensor<1, 3> motion = element.change(increment);
+            const Tensor<1, 3> motion = element.slide(increment);
             slope += element.law.force(u) * motion;
-            curvature +=
-              motion * (element.law.stiffness(u, element.normal) * motion);
+            curvature += element.share_of_slide() * motion *
+                         (element.law.stiffness(u, element.normal) * motion);
           }
       return {slope, curvature};
     }

@@ -1,6 +1,7 @@
 #include <heddle/contact/pair_turning.h>
 #include <heddle/contributions/friction_element.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Heddle
@@ -133,6 +134,12 @@ namespace Heddle
       const auto &t = result.now.tangent;
       result.cosine =
         t[0] * t[1] / std::sqrt(t[0].norm_square() * t[1].norm_square());
+      result.side_on = 1.;
+      for (const Tensor<1, 3> &tangent : t)
+        result.side_on = std::min(result.side_on,
+                                  1. - (normal * tangent) * (normal * tangent) /
+                                         tangent.norm_square());
+      result.side_on     = std::max(result.side_on, 0.);
       result.frame       = result.now.frame(orientation);
       const Pair   then  = pair(state.accepted());
       Tensor<2, 3> frame = then.frame(orientation);
@@ -151,7 +158,7 @@ namespace Heddle
 
     void
     FrictionElement::set_displacement(const Motion       &motion,
-                                      const double        share,
+                                      const double        part,
                                       const Tensor<1, 3> &left,
                                       const int           left_orientation)
     {
@@ -165,22 +172,23 @@ namespace Heddle
         left_orientation == orientation
           ? transpose(frame) * left
           : transpose(motion.now.frame(left_orientation)) * left;
+      share  = part;
       offset = turned + share * motion.displacement;
       offset -= (offset * normal) * normal;
 
-      set_derivatives(motion, share);
+      set_derivatives(motion);
       const auto linear = components(motion.now);
       for (unsigned int k = 0; k < 2; ++k)
-        offset -= linear[k] * axes[k];
+        offset -= share * linear[k] * axes[k];
     }
 
 
 
     void
-    FrictionElement::set_derivatives(const Motion &motion, const double share)
+    FrictionElement::set_derivatives(const Motion &motion)
     {
       for (unsigned int k = 0; k < 2; ++k)
-        by_separation[k] = share * axes[k];
+        by_separation[k] = axes[k];
       if (has_sections())
         return;
 
@@ -195,8 +203,7 @@ namespace Heddle
       const double        along = arm * axes[0], across = arm * axes[1],
                    up    = arm * normal;
       const auto left_by = [&](const Tensor<1, 3> *w, const unsigned int k) {
-        return share *
-               (k == 0 ? across * w[2] - up * w[1] : up * w[0] - along * w[2]);
+        return k == 0 ? across * w[2] - up * w[1] : up * w[0] - along * w[2];
       };
       for (unsigned int k = 0; k < 2; ++k)
         {
@@ -240,7 +247,7 @@ namespace Heddle
 
 
     Tensor<1, 3>
-    FrictionElement::change(const Values &values) const
+    FrictionElement::slide(const Values &values) const
     {
       // Where there are sections the tangents do not count.
       Pair motion;
@@ -257,7 +264,7 @@ namespace Heddle
     Tensor<1, 3>
     FrictionElement::displacement(const Values &values) const
     {
-      return offset + change(values);
+      return offset + share * slide(values);
     }
   } // namespace Contributions
 } // namespace Heddle

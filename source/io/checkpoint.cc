@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 namespace Heddle
@@ -55,6 +56,31 @@ namespace Heddle
                   fiber.radius,
                   static_cast<double>(fiber.n_elements),
                   static_cast<double>(fiber.n_nodes)};
+        }
+
+
+
+        /** Open @p path, or say which older file there is instead. */
+        std::unique_ptr<const Hdf5Reader>
+        open(const std::string &path, const MPI_Comm communicator)
+        {
+          try
+            {
+              return std::make_unique<const Hdf5Reader>(path, communicator);
+            }
+          catch (const InputError &error)
+            {
+              const std::filesystem::path damaged(path);
+              const auto older = files(damaged.parent_path().string());
+              const auto place =
+                std::lower_bound(older.begin(), older.end(), damaged);
+              if (place == older.begin() || place == older.end() ||
+                  *place != damaged)
+                throw;
+              throw InputError(std::string(error.what()) + " Remove it to " +
+                               "resume from \"" + std::prev(place)->string() +
+                               "\".");
+            }
         }
       } // namespace Checkpoint
     }   // namespace internal
@@ -214,7 +240,9 @@ namespace Heddle
                      const Load        &load,
                      const Load        &prepare) const
     {
-      const Hdf5Reader archive(path, space.communicator());
+      const auto opened =
+        internal::Checkpoint::open(path, space.communicator());
+      const ArchiveReader &archive = *opened;
       check_scene(archive, path);
 
       Position position;

@@ -28,15 +28,6 @@ namespace Heddle
         return names;
       }
 
-
-
-      /** Corners of a hexahedron among its nodes in lexicographic order. */
-      unsigned int
-      corner(const unsigned int v, const unsigned int degree)
-      {
-        const unsigned int n = degree + 1;
-        return degree * ((v & 1) + n * ((v >> 1 & 1) + n * (v >> 2)));
-      }
     } // namespace
 
 
@@ -88,7 +79,9 @@ namespace Heddle
             patch.patch_index    = file.patches.size();
             patch.n_subdivisions = degree;
             patch.reference_cell = ReferenceCells::Hexahedron;
-            patch.data.reinit(file.n_components(), node_at.size());
+            // The last three are the places of the points.
+            patch.points_are_available = true;
+            patch.data.reinit(file.n_components() + 3, node_at.size());
             const CellMeans mean = means(c);
             for (unsigned int i = 0; i < node_at.size(); ++i)
               {
@@ -97,7 +90,11 @@ namespace Heddle
                 const Tensor<1, 3> displacement =
                   state.current()[block] - state.matrix_reference(block);
                 for (unsigned int d = 0; d < 3; ++d)
-                  patch.data(d, i) = displacement[d];
+                  {
+                    patch.data(d, i) = displacement[d];
+                    patch.data(file.n_components() + d, i) =
+                      state.current()[block][d];
+                  }
                 for (unsigned int k = 0; k < 6; ++k)
                   {
                     patch.data(3 + k, i) = mean.strain.access_raw_entry(k);
@@ -105,9 +102,6 @@ namespace Heddle
                   }
                 patch.data(15, i) = mean.von_mises;
               }
-            for (unsigned int v = 0; v < 8; ++v)
-              patch.vertices[v] = Point<3>(state.current()[state.matrix_block(
-                matrix.cell(c)[node_at[corner(v, degree)]])]);
             file.patches.push_back(patch);
           }
       file.write(path, communicator);

@@ -55,6 +55,7 @@ namespace Heddle
           json["max_bend_ratio"]          = stage.max_bend_ratio;
           json["crossings_total"]         = stage.crossings_total;
           json["crossings_wrong"]         = stage.crossings_wrong;
+          json["crossings_apart"]         = stage.crossings_apart;
           json["residual_ratio"]          = stage.residual_ratio;
           json["last_output"]             = stage.last_output;
           json["wall_time_s"]             = {

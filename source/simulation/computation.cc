@@ -46,22 +46,25 @@ namespace Heddle
 
 
     void
-    Computation::run(const bool from_checkpoint)
+    Computation::run()
     {
       using Status = IO::Summary::Status;
-      if (from_checkpoint)
+      if (place.stepping != nullptr)
         {
-          read_checkpoint();
           // Only a search tells whether fibers are near each other.
           for (const auto &contribution :
                scene.stages()[place.stage].contributions)
             contribution->update(scene.state());
           recorder.continue_from(place);
+          if (recorder.has_ended(place))
+            log << "Note           this run has ended: nothing is left to "
+                   "compute, and its results stay as they are"
+                << std::endl;
         }
       else
         {
           if (!parameters.restart.initial_configuration.empty())
-            recorder.read_initial_configuration();
+            recorder.read_initial_configuration(log);
           recorder.begin(place);
         }
       try
@@ -165,8 +168,9 @@ namespace Heddle
           contribution->observe(*newton.system());
           contribution->accept_step(state);
         }
-      // What was held until now comes to rest before anything moves.
-      if (ratio > 0.)
+      // What was held until now comes to rest before anything moves; the curves
+      // of a fabric begin there in any case.
+      if (ratio > 0. || scene.is_fabric())
         stepping[place.stage]->begin_at_zero();
       // A case before this one tells nothing of it.
       place.predictor.begin(state);
@@ -218,6 +222,12 @@ namespace Heddle
       const std::string kink = kink_in_words();
       if (!kink.empty())
         log << "Note           " << kink << std::endl;
+      if (!stage.is_loaded)
+        return;
+      const std::string lost = scene.lost_crossings();
+      if (!lost.empty())
+        log << "Note           " << lost
+            << ": yarns have slipped off the ends of others" << std::endl;
     }
 
 

@@ -12,8 +12,21 @@ namespace Heddle
   {
     namespace
     {
-      /** Straight pieces between two nodes, and points of a mean line. */
+      /** Straight pieces between two nodes, and points of a mean line at
+       * least. */
       constexpr unsigned int n_pieces = 4, n_mean_points = 201;
+
+
+
+      /** The mean line of a yarn, as fine as its fibers. */
+      Polyline
+      mean_line_of(const std::vector<Polyline> &fibers)
+      {
+        std::size_t n = n_mean_points;
+        for (const Polyline &fiber : fibers)
+          n = std::max(n, fiber.size());
+        return mean_line(fibers, n);
+      }
 
 
 
@@ -76,7 +89,7 @@ namespace Heddle
              "volume_fraction[-],fibers_missing[-],crimp[-]\n";
       for (unsigned int y = 0; y < yarns.size(); ++y)
         {
-          const auto mean = mean_line(yarns[y].lines, n_mean_points);
+          const auto mean = mean_line_of(yarns[y].lines);
           for (unsigned int i = 0; i < n_stations; ++i)
             {
               const double fraction = station(i, n_stations);
@@ -108,7 +121,7 @@ namespace Heddle
       for (const Yarn &yarn : yarns)
         {
           const std::string of_set = yarn.set.empty() ? "" : yarn.set + "_";
-          const auto        mean   = mean_line(yarn.lines, n_mean_points);
+          const auto        mean   = mean_line_of(yarn.lines);
           add(of_set + "crimp[-]", crimp(mean));
           for (unsigned int i = 0; i < n_stations; ++i)
             {

@@ -64,6 +64,7 @@ namespace Heddle
         std::vector<Condition> conditions = {
           {"Weave", "Run/Scene", {"weave"}},
           {"Initial configuration", "Run/Scene", {"centerlines"}, true},
+          {"Initial configuration", "Restart/Initial configuration", {""}},
           {"Centerlines", "Run/Scene", {"weave"}, true},
           {"Centerlines/Axial strain",
            "Centerlines/Straight when free",
@@ -136,6 +137,10 @@ namespace Heddle
                                          "Initial configuration/Friction"})
             conditions.push_back(
               {path, "Contact/Friction coefficient", {"0"}, true});
+        if (file.count_sections("Supports", "Support") == 0 &&
+            file.count_sections("Loads", "Load") == 0)
+          conditions.push_back(
+            {"Load stepping", "Fabric loading/Kind", {"none"}, true});
         add_numbered(file, "Supports", "Support", conditions);
         add_numbered(file, "Loads", "Load", conditions);
         return conditions;

@@ -89,6 +89,7 @@ namespace Heddle
     {
       if (first_rank)
         clear_folder();
+      write_parameters();
       open_outputs(0);
       write_pictures(place, "start");
       if (scene.stages().empty())
@@ -101,12 +102,24 @@ namespace Heddle
 
 
 
+    bool
+    Recorder::has_ended(const Place &place) const
+    {
+      return place.stepping->finished() &&
+             place.stage + 1 == scene.stages().size();
+    }
+
+
+
     void
     Recorder::continue_from(const Place &place)
     {
       // What came after the checkpoint is not listed any more.
       if (place.number > 0)
         history.write();
+      // Those of a run that has ended are of its results.
+      if (!has_ended(place))
+        write_parameters();
       open_outputs(place.number == 0 ? 0 : place.number + 1);
       if (place.number == 0)
         write_pictures(place, "start");
@@ -144,13 +157,19 @@ namespace Heddle
 
 
     void
+    Recorder::write_parameters() const
+    {
+      if (!first_rank)
+        return;
+      write_file(directory + "/original.prm", file.text());
+      write_file(directory + "/parameters.prm", Parameters::text());
+    }
+
+
+
+    void
     Recorder::open_outputs(const unsigned int next)
     {
-      if (first_rank)
-        {
-          write_file(directory + "/original.prm", file.text());
-          write_file(directory + "/parameters.prm", Parameters::text());
-        }
       if (parameters.output.interval > 0 && parameters.output.fibers)
         fibers = std::make_unique<IO::FiberOutput>(
           scene.space(), parameters.output.subdivisions, directory, next);
@@ -278,6 +297,7 @@ namespace Heddle
         FabricReport(scene.state()).crossings(*scene.weave());
       stage.crossings_total = crossings.total;
       stage.crossings_wrong = crossings.wrong;
+      stage.crossings_apart = crossings.apart;
     }
 
 

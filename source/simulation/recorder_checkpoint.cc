@@ -32,6 +32,7 @@ namespace Heddle
         convert("n_dofs_per_rank", stage.n_dofs_per_rank);
         convert("crossings_total", stage.crossings_total);
         convert("crossings_wrong", stage.crossings_wrong);
+        convert("crossings_apart", stage.crossings_apart);
         convert("max_penetration_ratio", stage.max_penetration_ratio);
         convert("max_bend_ratio", stage.max_bend_ratio);
         convert("residual_ratio", stage.residual_ratio);
@@ -123,13 +124,24 @@ namespace Heddle
 
 
     void
-    Recorder::read_initial_configuration()
+    Recorder::read_initial_configuration(Log &log)
     {
       const std::string file = configuration_file();
       require(std::filesystem::exists(file),
               "Restart/Initial configuration: there is no file \"" + file +
                 "\"; name the folder of a run that has computed one.");
-      read_initial_configuration(file);
+      const std::string settings = read_initial_configuration(file);
+      // What fibers are and how they settled is in the file: strains and
+      // stresses may be others than these parameters would lead to.
+      for (const std::string &change :
+           changed_settings(settings, settings_text(ParameterAcceptor::prm)))
+        for (const std::string section :
+             {"Fiber/", "Weave/", "Initial configuration/"})
+          if (change.rfind(section, 0) == 0)
+            log << "Changed        " << change
+                << " when fibers settled: their places and strains stay as "
+                   "they were"
+                << std::endl;
       const std::string wrong = scene.wrong_crossings();
       require(wrong.empty(),
               "Restart/Initial configuration: in \"" + file + "\" " + wrong +
@@ -138,7 +150,7 @@ namespace Heddle
 
 
 
-    void
+    std::string
     Recorder::read_initial_configuration(const std::string &file)
     {
       const auto position = checkpoint.read(
@@ -156,6 +168,7 @@ namespace Heddle
           initial_configuration + "\" of its run.");
       scene.state().step        = 0;
       scene.state().load_factor = 0.;
+      return position.settings;
     }
 
 

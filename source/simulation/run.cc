@@ -1,5 +1,6 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/folder_lock.h>
 #include <heddle/base/version.h>
 #include <heddle/simulation/computation.h>
 #include <heddle/simulation/inactive_parameters.h>
@@ -79,18 +80,46 @@ namespace Heddle
                     const Textile::Weave            &weave,
                     const Textile::WeaveDescription &description)
       {
-        if (description.warp.density == 0. || description.weft.density == 0.)
-          return;
+        const bool warp = description.warp.density > 0.,
+                   weft = description.weft.density > 0.;
+        if (warp)
+          log << "Warp           "
+              << Textile::yarns_in_words(description.warp, weave.warp_spacing())
+              << '\n';
+        if (weft)
+          log << "Weft           "
+              << Textile::yarns_in_words(description.weft, weave.weft_spacing())
+              << '\n';
         // Grams per kilometer over millimeters are grams per square meter.
-        const double weight =
-          Textile::linear_density(description.warp) / weave.warp_spacing() +
-          Textile::linear_density(description.weft) / weave.weft_spacing();
-        log << "Warp           "
-            << Textile::yarns_in_words(description.warp, weave.warp_spacing())
-            << "\nWeft           "
-            << Textile::yarns_in_words(description.weft, weave.weft_spacing())
-            << "\nAreal weight   " << std::setprecision(3) << weight
-            << " g/m^2, without crimp\n";
+        if (warp && weft)
+          log << "Areal weight   " << std::setprecision(3)
+              << Textile::linear_density(description.warp) /
+                     weave.warp_spacing() +
+                   Textile::linear_density(description.weft) /
+                     weave.weft_spacing()
+              << " g/m^2, without crimp\n";
+      }
+
+
+
+      /** "94.3" or, where fibers differ, "94.3 to 120" [MPa]. */
+      std::string
+      tension_in_words(const System::FiberSpace &space, const double strain)
+      {
+        double low = std::numeric_limits<double>::max(), high = 0.;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          {
+            const double radius = space.fiber(f).radius;
+            const double stress = strain * space.fiber(f).section.axial /
+                                  (numbers::PI * radius * radius);
+            low  = std::min(low, stress);
+            high = std::max(high, stress);
+          }
+        std::ostringstream text;
+        text << std::setprecision(3) << low;
+        if (high > 1.001 * low)
+          text << " to " << high;
+        return text.str();
       }
 
 
@@ -117,8 +146,7 @@ namespace Heddle
         if (scene.is_fabric() &&
             parameters.restart.initial_configuration.empty())
           log << "Tension        "
-              << parameters.settle.axial_tension *
-                   parameters.fiber.axial_modulus
+              << tension_in_words(space, parameters.settle.axial_tension)
               << " MPa in every fiber while the fabric settles, with which a "
                  "test begins (Initial configuration/Axial tension)\n";
         log << "Extent         " << extent_in_words(scene) << " at the start\n"
@@ -132,6 +160,8 @@ namespace Heddle
               << " cells, " << std::lround(matrix.n_nodes) << " nodes, "
               << std::lround(3. * matrix.n_nodes)
               << " unknowns, around the fibers where they start\n";
+        if (!scene.short_fibers().empty())
+          log << "Note           " << scene.short_fibers() << '\n';
         log << "Contributions  ";
         if (scene.stages().empty())
           {
@@ -216,12 +246,16 @@ namespace Heddle
         if (command_line.resume)
           IO::Checkpoint::last(directory);
         create_folder(directory);
+        const FolderLock lock(directory, scene.space().communicator());
+        Recorder         recorder(scene, parameters, file, directory, timer);
+        Computation computation(scene, parameters, recorder, log, timer, stop);
+        // Nothing is written before it is clear that the run goes on.
+        if (command_line.resume)
+          computation.read_checkpoint();
         log.open(directory + "/log.txt",
                  command_line.resume ? std::ios_base::app : std::ios_base::out);
         log << "Results        " << directory << std::endl;
-        Recorder    recorder(scene, parameters, file, directory, timer);
-        Computation computation(scene, parameters, recorder, log, timer, stop);
-        computation.run(command_line.resume);
+        computation.run();
         if (parameters.run.timing)
           log << timer.table() << std::flush;
       }
@@ -264,7 +298,7 @@ namespace Heddle
             Computation(scene, parameters, recorder, log, timer, stop)
               .read_checkpoint();
           else if (!parameters.restart.initial_configuration.empty())
-            recorder.read_initial_configuration();
+            recorder.read_initial_configuration(log);
           return;
         }
 

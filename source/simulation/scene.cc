@@ -258,7 +258,9 @@ namespace Heddle
             add_friction(stage);
         }
       stage.objection = [this]() -> std::string {
-        const std::string wrong = wrong_crossings();
+        std::string wrong = wrong_crossings();
+        if (wrong.empty())
+          wrong = lost_crossings();
         return wrong.empty()
                  ? ""
                  : wrong +
@@ -274,20 +276,41 @@ namespace Heddle
 
 
 
+    Post::CrossingCount
+    Scene::count_crossings() const
+    {
+      if (!woven)
+        return {};
+      // One rank knows all fibers, and all have to know what it says.
+      return Utilities::MPI::broadcast(
+        fiber_space->communicator(),
+        FabricReport(*configuration).crossings(*woven));
+    }
+
+
+
     std::string
     Scene::wrong_crossings() const
     {
-      if (!woven)
-        return "";
-      // One rank knows all fibers, and all have to know what it says.
-      const auto crossings = Utilities::MPI::broadcast(
-        fiber_space->communicator(),
-        FabricReport(*configuration).crossings(*woven));
+      const Post::CrossingCount crossings = count_crossings();
       if (crossings.wrong == 0)
         return "";
       return std::to_string(crossings.wrong) + " of " +
              std::to_string(crossings.total) +
              " crossings of fibers are not as the pattern wants them";
+    }
+
+
+
+    std::string
+    Scene::lost_crossings() const
+    {
+      const Post::CrossingCount crossings = count_crossings();
+      if (crossings.apart == 0)
+        return "";
+      return std::to_string(crossings.apart) + " of " +
+             std::to_string(crossings.total) +
+             " pairs of fibers do not cross though the pattern wants it";
     }
 
 
@@ -309,6 +332,14 @@ namespace Heddle
                              : "at the start there is a " + deepest +
                                  ", which contact has to undo; move fibers "
                                  "apart if it finds no equilibrium";
+    }
+
+
+
+    std::string
+    Scene::short_fibers() const
+    {
+      return measured ? measured->short_fibers() : "";
     }
 
 

@@ -89,8 +89,7 @@ namespace Heddle
                                  const System::Increment   &increment)
     {
       const double first = slope(system, increment);
-      return std::abs(raised(system, first)) <=
-             largest_raised * std::abs(first);
+      return std::abs(raised(system, first)) < largest_raised * std::abs(first);
     }
 
 

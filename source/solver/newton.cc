@@ -241,7 +241,11 @@ namespace Heddle
           if (iteration == limit)
             {
               result.used_up = true;
-              if (!balanced)
+              if (residual.ratio <= parameters.residual_tolerance &&
+                  residual.pending > reached * length_scale)
+                result.obstacle = "supports have not come to where they are to "
+                                  "be: contact allows short steps only";
+              else if (!balanced)
                 result.obstacle = describe_imbalance(
                   contributions, residual.ratio, result.increment);
               else if (!still)

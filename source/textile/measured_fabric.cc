@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace Heddle
@@ -12,6 +13,9 @@ namespace Heddle
     namespace
     {
       const std::array<std::string, 2> sets = {{"warp", "weft"}};
+
+      /** Of a yarn's length, that a fiber should not lack at an end [-]. */
+      constexpr double large_part = 0.1;
 
       /** 0 for the warp, which runs along x, 1 for the weft, along y. */
       unsigned int
@@ -39,11 +43,14 @@ namespace Heddle
                                    const std::string      &name)
       : name(name)
     {
-      /** Sum of the places of fibers across their yarn, and their number. */
+      /** Sum of the places of fibers across their yarn, their number, and from
+       * where to where they reach along it. */
       struct Sum
       {
         double       places   = 0.;
         unsigned int n_fibers = 0;
+        double       begin    = std::numeric_limits<double>::max();
+        double       end      = -std::numeric_limits<double>::max();
       };
       std::array<std::map<unsigned int, Sum>, 2> yarns;
       for (unsigned int f = 0; f < paths.size(); ++f)
@@ -57,6 +64,17 @@ namespace Heddle
           Sum &sum = yarns[d][paths[f].yarn_id];
           sum.places += points[points.size() / 2][1 - d];
           ++sum.n_fibers;
+          sum.begin = std::min(sum.begin, points.front()[d]);
+          sum.end   = std::max(sum.end, points.back()[d]);
+        }
+      for (unsigned int f = 0; f < paths.size(); ++f)
+        {
+          const unsigned int d    = paths[f].set == sets[0] ? 0 : 1;
+          const Sum         &yarn = yarns[d][paths[f].yarn_id];
+          const double       much = large_part * (yarn.end - yarn.begin);
+          if (paths[f].points.front()[d] > yarn.begin + much ||
+              paths[f].points.back()[d] < yarn.end - much)
+            short_ones.push_back(f);
         }
       for (unsigned int d = 0; d < 2; ++d)
         {
@@ -68,6 +86,25 @@ namespace Heddle
             places[d].push_back(yarn.second.places / yarn.second.n_fibers);
           std::sort(places[d].begin(), places[d].end());
         }
+    }
+
+
+
+    std::string
+    MeasuredFabric::short_fibers() const
+    {
+      if (short_ones.empty())
+        return "";
+      return name + ": fiber " + std::to_string(short_ones[0]) +
+             " (counted from 0)" +
+             (short_ones.size() == 1
+                ? " ends"
+                : " and " + std::to_string(short_ones.size() - 1) +
+                    " others end") +
+             " more than a tenth of the yarn's length from its end, but counts "
+             "as whole: crimp and volume fraction are wrong, and a load grips "
+             "it in the middle of the fabric; trace it to the end, or leave it "
+             "out";
     }
 
 

@@ -69,6 +69,13 @@ main()
           << ", " << fabric.n_yarns()[1] << " weft yarns at "
           << fabric.spacing()[1] << std::endl;
 
+  // Lost while it was traced.
+  deallog << "short: \"" << fabric.short_fibers() << '"' << std::endl;
+  paths[2].points.pop_back();
+  deallog << MeasuredFabric(paths, "fibers.csv").short_fibers() << std::endl;
+  paths[0].points.erase(paths[0].points.begin());
+  deallog << MeasuredFabric(paths, "fibers.csv").short_fibers() << std::endl;
+
   refuse({fiber("warp", 0, 1.), fiber("warp", no_id, 2.)});
   refuse({fiber("warp", 0, 1.), fiber("pile", 1, 2.)});
   refuse({fiber("warp", 0, 1.), fiber("warp", 1, 2.)});

@@ -66,6 +66,10 @@ namespace Heddle
         double       cosine;     /**< of the angle between the fibers now [-] */
         double       gap_before; /**< of the surfaces at the last step [mm] */
 
+        /** 1 where sides touch, 0 where an end is pushed straight on: a frame
+         * of the pair is not known there [-]. */
+        double side_on;
+
         /** In the plane, without the rotation that both fibers share [mm]. */
         Tensor<1, 3> displacement;
       };
@@ -76,15 +80,17 @@ namespace Heddle
       /**
        * Let the displacement be in the current configuration what was left at
        * the last step, @p left in the frame for @p left_orientation, and the
-       * part @p share of the @p motion since.
+       * part @p part of the @p motion since, during which it was in contact.
        */
       void
       set_displacement(const Motion       &motion,
-                       const double        share,
+                       const double        part,
                        const Tensor<1, 3> &left,
                        const int           left_orientation);
 
-      /** Derivatives of both components of the displacement by the blocks. */
+      /** How far particles slide over each other with the blocks, as two
+       * components: forces act on what slides. The displacement follows by
+       * share(). */
       struct Derivative
       {
         explicit Derivative(const FrictionElement &element);
@@ -93,13 +99,21 @@ namespace Heddle
         std::array<std::array<double, 3 * max_blocks>, 2> rows;
       };
 
-      /** Change of the displacement with the motion @p values of blocks. */
+      /** How far the motion @p values of blocks makes particles slide [mm]. */
       Tensor<1, 3>
-      change(const Values &values) const;
+      slide(const Values &values) const;
 
       /** Displacement in the configuration @p values [mm]. */
       Tensor<1, 3>
       displacement(const Values &values) const;
+
+      /** Part of what slides that adds to the displacement: that of the step
+       * in which there is contact. */
+      double
+      share_of_slide() const
+      {
+        return share;
+      }
 
       /** Whether the particles lie on surfaces and turn with the sections. */
       bool
@@ -164,9 +178,9 @@ namespace Heddle
       Tensor<1, 3>
       separation(const Values &values) const;
 
-      /** Set how the displacement grows with the blocks. */
+      /** Set how particles slide with the blocks. */
       void
-      set_derivatives(const Motion &motion, const double share);
+      set_derivatives(const Motion &motion);
 
       /** Both components of what the motion or place @p pair makes. */
       std::array<double, 2>
@@ -179,7 +193,7 @@ namespace Heddle
       std::array<double, n_axis_blocks> slopes;
 
       /**
-       * How components of the displacement grow with the separation of the
+       * How components of what slides grow with the separation of the
        * particles and, without sections, with the tangents of both fibers
        * [-, mm].
        */
@@ -188,6 +202,7 @@ namespace Heddle
 
       /** Displacement where all blocks are zero [mm]. */
       Tensor<1, 3> offset;
+      double       share = 1.;
     };
   } // namespace Contributions
 } // namespace Heddle

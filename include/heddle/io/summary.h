@@ -39,6 +39,7 @@ namespace Heddle
       std::uint64_t n_dofs_per_rank         = 0; /**< own and copies, most */
       unsigned int  crossings_total         = 0;
       unsigned int  crossings_wrong         = 0;
+      unsigned int  crossings_apart         = 0;
 
       /** Largest penetration over fiber radius [-]. */
       double max_penetration_ratio = std::numeric_limits<double>::quiet_NaN();

@@ -25,16 +25,16 @@ namespace Heddle
                   StopRequest      &stop);
 
       /**
-       * From the start, or from the last checkpoint. Throws NotConverged or
-       * Stopped after the last good state was saved.
+       * From the start, or from the checkpoint that was read. Throws
+       * NotConverged or Stopped after the last good state was saved.
        * @note Collective.
        */
       void
-      run(const bool from_checkpoint);
+      run();
 
       /**
-       * Only read the last checkpoint: whatever it cannot be resumed for is
-       * found.
+       * Read the last checkpoint; writes nothing. Throws InputError if this
+       * scene cannot go on from it.
        * @note Collective.
        */
       void

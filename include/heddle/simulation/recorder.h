@@ -73,6 +73,10 @@ namespace Heddle
       void
       continue_from(const Place &place);
 
+      /** Whether nothing is left to compute after resume(). */
+      bool
+      has_ended(const Place &place) const;
+
       void
       begin_stage(const unsigned int stage);
 
@@ -95,11 +99,12 @@ namespace Heddle
       /**
        * Go to the initial configuration that the parameters name: the state,
        * penalties of contact and, if it has any, friction. Throws InputError
-       * if it is none, or of other fibers or another weave.
+       * if it is none, or of other fibers or another weave. Tell @p log what
+       * was set otherwise when it was computed.
        * @note Collective.
        */
       void
-      read_initial_configuration();
+      read_initial_configuration(Log &log);
 
       /** Go to the one that this run has computed, or was given. */
       void
@@ -123,14 +128,18 @@ namespace Heddle
       std::string
       configuration_file() const;
 
-      void
+      /** Return the parameters of the run that has written it. */
+      std::string
       read_initial_configuration(const std::string &file);
 
       /** Remove the checkpoints and tables of an earlier run. */
       void
       clear_folder() const;
 
-      /** Write the parameters, and begin to draw from picture @p next on. */
+      void
+      write_parameters() const;
+
+      /** Begin to draw, from picture @p next on. */
       void
       open_outputs(const unsigned int next);
 

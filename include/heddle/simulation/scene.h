@@ -4,6 +4,7 @@
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/contributions/fiber_friction.h>
+#include <heddle/post/crossing_order.h>
 #include <heddle/simulation/matrix_estimate.h>
 #include <heddle/simulation/parameters.h>
 #include <heddle/simulation/stage.h>
@@ -113,12 +114,25 @@ namespace Heddle
       wrong_crossings() const;
 
       /**
+       * "3 of 36 pairs of fibers do not cross though the pattern wants it",
+       * such as fibers that have slipped off the ends of others, or nothing.
+       * @note Collective.
+       */
+      std::string
+      lost_crossings() const;
+
+      /**
        * Which of the fibers that were given lie in each other, by more than
        * half a radius, or nothing. Those of a weave are not looked at.
        * @note Collective.
        */
       std::string
       overlap_at_start() const;
+
+      /** What is to be said of measured fibers that end too early; or nothing.
+       */
+      std::string
+      short_fibers() const;
 
       /**
        * What all contributions report, by name with unit. Of several of the
@@ -174,6 +188,10 @@ namespace Heddle
     private:
       void
       make_paths(const std::string &parameter_file);
+
+      /** @note Collective. */
+      Post::CrossingCount
+      count_crossings() const;
 
       /** Refuse yarns that begin on the wrong sides of each other. */
       void

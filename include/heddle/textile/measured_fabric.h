@@ -38,8 +38,18 @@ namespace Heddle
       std::array<double, 2>
       spacing() const;
 
+      /**
+       * A sentence about fibers that end far from the ends of their yarn, such
+       * as those that were lost while they were traced; empty if none does.
+       */
+      std::string
+      short_fibers() const;
+
     private:
       const std::string name;
+
+      /** Numbers of fibers that end far from the ends of their yarn. */
+      std::vector<unsigned int> short_ones;
 
       /** Where the middles of the yarns lie across them, in order [mm]. */
       std::array<std::vector<double>, 2> places;
