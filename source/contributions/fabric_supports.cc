@@ -104,10 +104,34 @@ namespace Heddle
       std::vector<Tensor<1, 3>> middles;
       for (unsigned int side = 0; side < n_sides; ++side)
         middles.push_back(sums[side] / counts[side]);
+      find_areas();
       rest_length = lengths(middles, 0.);
       now         = {};
       now.length  = rest_length;
       last = before = now;
+    }
+
+
+
+    void
+    FabricSupports::find_areas()
+    {
+      // Yarns stand for their share of a wide fabric, also outside of the
+      // outermost ones. A matrix ends where it ends.
+      matrix_width                         = {};
+      const double none                    = std::numeric_limits<double>::max();
+      std::array<double, n_directions> low = {{none, none}},
+                                       high = {{-none, -none}};
+      for (const HeldBlock &held : held_blocks())
+        if (held.is_in_matrix())
+          for (unsigned int i = 0; i < n_directions; ++i)
+            {
+              low[i]              = std::min(low[i], held.reference[i]);
+              high[i]             = std::max(high[i], held.reference[i]);
+              matrix_width[1 - i] = high[i] - low[i];
+            }
+      sheared_area = matrix_width[0] > 0. ? matrix_width[0] * matrix_width[1]
+                                          : size.width[0] * size.width[1];
     }
 
 
@@ -245,30 +269,31 @@ namespace Heddle
       const bool has_matrix = !test.supports[0]->matrix_sides.empty();
       for (unsigned int i = 0; i < n_directions; ++i)
         {
-          const std::string name   = direction_names[i];
-          const double      length = rest_length[i], width = size.width[i];
-          const auto        strain = [&](const Measured &measured) {
+          const std::string name      = direction_names[i];
+          const double      length    = rest_length[i];
+          const auto        per_width = [&](const Measured &measured) {
+            const double of_matrix = measured.matrix_force[i];
+            return (measured.force[i] - of_matrix) / size.width[i] +
+                   (has_matrix ? of_matrix / matrix_width[i] : 0.);
+          };
+          const auto strain = [&](const Measured &measured) {
             return length > 0. ? measured.length[i] / length - 1. : 0.;
           };
           values[name + "_length[mm]"]            = last.length[i];
           values[name + "_strain[-]"]             = strain(last);
           values[name + "_force[N]"]              = last.force[i];
-          values[name + "_force_per_width[N/mm]"] = last.force[i] / width;
+          values[name + "_force_per_width[N/mm]"] = per_width(last);
           values[name + "_force_per_yarn[N]"] = last.force[i] / size.n_yarns[i];
           if (has_matrix)
             values[name + "_matrix_force[N]"] = last.matrix_force[i];
           if (test.pulls[i])
             values[name + "_work_force[N]"] = last.work_force[i];
-          values[name + "_tangent_stiffness[N/mm]"] =
-            slope(last.force[i] / width,
-                  before.force[i] / width,
-                  strain(last),
-                  strain(before));
+          values[name + "_tangent_stiffness[N/mm]"] = slope(
+            per_width(last), per_width(before), strain(last), strain(before));
         }
-      values["shear_angle[deg]"]   = last.angle * 180. / numbers::PI;
-      values["shear_couple[N*mm]"] = last.couple;
-      values["shear_couple_per_area[N/mm]"] =
-        last.couple / (size.width[0] * size.width[1]);
+      values["shear_angle[deg]"]            = last.angle * 180. / numbers::PI;
+      values["shear_couple[N*mm]"]          = last.couple;
+      values["shear_couple_per_area[N/mm]"] = last.couple / sheared_area;
       if (has_matrix)
         values["shear_matrix_couple[N*mm]"] = last.matrix_couple;
       values["shear_tangent_stiffness[N*mm/rad]"] =
@@ -297,6 +322,7 @@ namespace Heddle
           const std::string begin = name() + "/" + direction_names[i];
           archive.write_number(begin + " length", last.length[i]);
           archive.write_number(begin + " force", last.force[i]);
+          archive.write_number(begin + " matrix force", last.matrix_force[i]);
         }
       archive.write_number(name() + "/shear angle", last.angle);
       archive.write_number(name() + "/shear couple", last.couple);
@@ -315,6 +341,9 @@ namespace Heddle
           const std::string begin = name() + "/" + direction_names[i];
           last.length[i]          = archive.read_number(begin + " length");
           last.force[i]           = archive.read_number(begin + " force");
+          // Older checkpoints do not have it.
+          if (archive.has(begin + " matrix force"))
+            last.matrix_force[i] = archive.read_number(begin + " matrix force");
         }
       last.angle  = archive.read_number(name() + "/shear angle");
       last.couple = archive.read_number(name() + "/shear couple");

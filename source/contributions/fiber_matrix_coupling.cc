@@ -100,6 +100,17 @@ namespace Heddle
 
 
 
+    double
+    FiberMatrixCoupling::largest_stiffness() const
+    {
+      double largest = 0.;
+      for (const EmbeddedLink &embedded : links)
+        largest = std::max(largest, embedded.link.stiffness);
+      return largest;
+    }
+
+
+
     void
     FiberMatrixCoupling::report(const System::State           &state,
                                 std::map<std::string, double> &values) const

@@ -39,12 +39,35 @@ namespace Heddle
                matrix.n_nodes_per_cell(),
                shapes->n_quadrature_points,
                mean_dilatation)
+      , stiffest(find_largest_stiffness())
     {
     }
 
 
 
     MatrixElasticity::~MatrixElasticity() = default;
+
+
+
+    double
+    MatrixElasticity::find_largest_stiffness() const
+    {
+      // M times the integral of |grad N|^2, M being the modulus of waves.
+      double largest = 0.;
+      for (const unsigned int c : matrix.near_cells())
+        {
+          shapes->reinit(Triangulation<3>::cell_iterator(
+            &matrix.hexahedra(), /*level=*/0, static_cast<int>(c)));
+          for (unsigned int a = 0; a < matrix.n_nodes_per_cell(); ++a)
+            {
+              double sum = 0.;
+              for (const unsigned int q : shapes->quadrature_point_indices())
+                sum += shapes->JxW(q) * shapes->shape_grad(a, q).norm_square();
+              largest = std::max(largest, sum);
+            }
+        }
+      return law->longitudinal_modulus() * largest;
+    }
 
 
 

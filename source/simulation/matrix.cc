@@ -55,10 +55,13 @@ namespace Heddle
       add_to(state, points);
 
       std::vector<double> parts = find_doubled_parts();
-      for (double &part : parts)
-        part = parameters.subtract_fiber_volume
-                 ? std::max(1. - part, least_part)
-                 : 1.;
+      for (unsigned int c = 0; c < parts.size(); ++c)
+        {
+          parts[c] = parameters.subtract_fiber_volume
+                       ? std::max(1. - parts[c], least_part)
+                       : 1.;
+          counted.subtracted += (1. - parts[c]) * mesh->volume(c);
+        }
       matrix_elasticity = std::make_shared<Contributions::MatrixElasticity>(
         *matrix_space,
         parameters.material.material(),
@@ -155,8 +158,9 @@ namespace Heddle
            << counted.n_left_out << " cells inside yarns are left out, "
            << counted.n_dropped << " that nothing holds; volume "
            << std::setprecision(4) << counted.volume << " mm^3, of which "
-           << counted.doubled << " is also fibers"
-           << (parameters.subtract_fiber_volume ? ", and subtracted" : "");
+           << counted.doubled << " is also fibers";
+      if (parameters.subtract_fiber_volume)
+        text << ", and " << counted.subtracted << " is subtracted";
       return text.str();
     }
 

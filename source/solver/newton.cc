@@ -64,6 +64,17 @@ namespace Heddle
       /** A guess that misses more than this of what is prescribed is none. */
       constexpr double largest_miss = 0.5;
 
+      /** A guess of which no more than this may be gone along at a time leads
+       * where nothing can go. */
+      constexpr double least_part_of_guess = 1e-3;
+
+      /** What is prescribed does not come about by steps shorter than this. */
+      constexpr double least_part_of_step = 1e-6;
+
+      const std::string not_arrived =
+        "supports do not get to where they are to be: contact, or cells of the "
+        "matrix that would turn inside out, allow short steps only";
+
       /** Parts of a step below this are round-off. */
       constexpr double round_off = 1e-13;
 
@@ -75,19 +86,6 @@ namespace Heddle
       constexpr double last_digits =
         256. * std::numeric_limits<double>::epsilon();
 
-
-
-      /**
-       * What a node of a fiber resists at most [N/mm]: E A / h along it, and
-       * across it, where sections stay normal to the axis, 12 E I / h^3.
-       */
-      double
-      largest_stiffness(const System::Fiber &fiber, const bool has_sections)
-      {
-        const double h       = fiber.length / (fiber.n_nodes - 1);
-        const double bending = has_sections ? 0. : fiber.section.bending;
-        return std::max(fiber.section.axial / h, 12. * bending / (h * h * h));
-      }
     } // namespace
 
 
@@ -127,22 +125,30 @@ namespace Heddle
       linear_solver =
         std::make_unique<LinearSolver>(linear_parameters, *block_system);
       damping = std::make_unique<FiberDamping>(state.space, parameters.damping);
-      length_scale    = state.space.fiber(0).radius;
-      double stiffest = 0.;
+      length_scale = state.space.fiber(0).radius;
       for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
-        {
-          const System::Fiber &fiber = state.space.fiber(f);
-          length_scale               = std::min(length_scale, fiber.radius);
-          stiffest                   = std::max(
-            stiffest,
-            largest_stiffness(fiber, state.space.n_blocks_per_node() == 3));
-        }
-      double size = 0.;
+        length_scale = std::min(length_scale, state.space.fiber(f).radius);
+    }
+
+
+
+    void
+    Newton::find_negligible_force(const System::State &state,
+                                  const Contributions &contributions)
+    {
+      double stiffest = 0., size = 0.;
+      for (const auto &contribution : contributions)
+        stiffest = std::max(stiffest, contribution->largest_stiffness());
       for (unsigned int b = 0; b < state.n_owned_fiber_blocks();
            b += state.space.n_blocks_per_node())
         size = std::max(size, state.current()[b].norm());
-      negligible_force =
-        last_digits * stiffest * Utilities::MPI::max(size, communicator);
+      for (unsigned int b = state.n_owned_fiber_blocks();
+           b < state.n_owned_blocks();
+           ++b)
+        size = std::max(size, state.current()[b].norm());
+      negligible_force = last_digits *
+                         Utilities::MPI::max(stiffest, communicator) *
+                         Utilities::MPI::max(size, communicator);
     }
 
 
@@ -154,6 +160,7 @@ namespace Heddle
                   const System::Increment &guess)
     {
       begin(state);
+      find_negligible_force(state, contributions);
       const bool        guessed = follow(state, contributions, guess);
       NewtonResult      result;
       System::Increment increment;
@@ -243,8 +250,7 @@ namespace Heddle
               result.used_up = true;
               if (residual.ratio <= parameters.residual_tolerance &&
                   residual.pending > reached * length_scale)
-                result.obstacle = "supports have not come to where they are to "
-                                  "be: contact allows short steps only";
+                result.obstacle = not_arrived;
               else if (!balanced)
                 result.obstacle = describe_imbalance(
                   contributions, residual.ratio, result.increment);
@@ -332,6 +338,11 @@ namespace Heddle
                                            longest,
                                            search,
                                            linear.unsymmetric);
+          if (!in_place && taken < least_part_of_step)
+            {
+              result.obstacle = not_arrived;
+              return result;
+            }
           if (rough)
             damping->adapt(state, increment, taken, length_scale);
           for (Tensor<1, 3> &motion_of_block : increment)
@@ -439,6 +450,7 @@ namespace Heddle
     {
       // No system is solved here: its pattern and tangent can wait.
       begin(state);
+      find_negligible_force(state, contributions);
       {
         SectionTimer::Scope scope(timer, "detection");
         update(state, contributions);
@@ -493,6 +505,8 @@ namespace Heddle
       double left = 1., part = 0.;
       while (true)
         {
+          if (stop.received())
+            throw Stopped("stopped by " + stop.reason());
           for (const auto &contribution : contributions)
             contribution->update(state);
           whole = motion();
@@ -509,6 +523,12 @@ namespace Heddle
           for (const auto &contribution : contributions)
             part = std::min(part, contribution->largest_step(state, whole));
           part = Utilities::MPI::min(part, communicator);
+          // The closer to a cell that is inside out, the shorter.
+          if (part < std::min(left, least_part_of_guess))
+            {
+              state.move(left - 1., whole);
+              return false;
+            }
           state.move(part, whole);
           left = left - part > round_off ? left - part : 0.;
         }

@@ -89,6 +89,10 @@ namespace Heddle
       void
       find_sides(const System::State &state);
 
+      /** What forces and couples are divided by. */
+      void
+      find_areas();
+
       /** From the middles of the four sides, by the ends of the fibers. */
       Both<double>
       lengths(const std::vector<Tensor<1, 3>> &middles,
@@ -104,7 +108,9 @@ namespace Heddle
       const FabricCase         &test;
       const FabricSize          size;
       std::vector<unsigned int> sides_of; /**< bits, of each held block */
-      Both<double>              rest_length = {};
+      Both<double>              rest_length  = {};
+      Both<double>              matrix_width = {}; /**< 0 without one [mm] */
+      double                    sheared_area = 0.; /**< [mm^2] */
       Measured                  now, last, before;
     };
   } // namespace Contributions

@@ -47,6 +47,13 @@ namespace Heddle
               const System::Increment &increment) override;
 
       /**
+       * E A / h along a fiber, and across it, where sections stay normal to the
+       * axis, 12 E I / h^3, with the distance h of nodes.
+       */
+      double
+      largest_stiffness() const override;
+
+      /**
        * An element that is strained beyond all that a fiber bears: the law has
        * equilibria in which elements are turned inside out.
        */

@@ -78,6 +78,9 @@ namespace Heddle
       assemble(const System::State &state,
                System::BlockSystem &system) override;
 
+      double
+      largest_stiffness() const override;
+
       void
       report(const System::State           &state,
              std::map<std::string, double> &values) const override;

@@ -57,6 +57,12 @@ namespace Heddle
       largest_step(const System::State     &state,
                    const System::Increment &increment) const override;
 
+      double
+      largest_stiffness() const override
+      {
+        return stiffest;
+      }
+
       void
       report(const System::State           &state,
              std::map<std::string, double> &values) const override;
@@ -91,11 +97,16 @@ namespace Heddle
       void
       assemble_once(const System::State &state);
 
+      /** Of the nodes of all cells that are looked at here, cell by cell. */
+      double
+      find_largest_stiffness() const;
+
       const System::MatrixSpace             &matrix;
       const std::unique_ptr<Solid::Material> law;
       const std::vector<double>              parts;
       const std::unique_ptr<FEValues<3, 3>>  shapes;
       mutable Solid::CellKernel              kernel;
+      const double                           stiffest;
       std::unique_ptr<ConstantStiffness>     stiffness;
       unsigned int                           assemblies = 0;
     };

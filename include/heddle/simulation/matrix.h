@@ -34,6 +34,7 @@ namespace Heddle
         unsigned int n_links    = 0;
         double       volume     = 0.; /**< of the cells [mm^3] */
         double       doubled    = 0.; /**< of fibers in them [mm^3] */
+        double       subtracted = 0.; /**< of that, from cells [mm^3] */
       };
 
       /**

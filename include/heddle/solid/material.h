@@ -49,6 +49,13 @@ namespace Heddle
 
       virtual ~Material() = default;
 
+      /** Of small strains in one direction, without any in others [MPa]. */
+      double
+      longitudinal_modulus() const
+      {
+        return bulk_modulus + 4. / 3. * shear_modulus;
+      }
+
       /** "linear", "st venant-kirchhoff" or "neo-hookean". */
       virtual std::string
       name() const = 0;

@@ -94,6 +94,11 @@ namespace Heddle
       void
       begin(const System::State &state);
 
+      /** Below it, forces are the last digits of positions. */
+      void
+      find_negligible_force(const System::State &state,
+                            const Contributions &contributions);
+
       /**
        * Go along @p guess in parts that all terms allow, as far as it is
        * credible; return whether it was followed at all.

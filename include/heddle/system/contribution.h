@@ -122,6 +122,16 @@ namespace Heddle
       }
 
       /**
+       * What a node resists at most [N/mm]: positions have no digits for forces
+       * below that times their last one. Local; 0 if others resist more.
+       */
+      virtual double
+      largest_stiffness() const
+      {
+        return 0.;
+      }
+
+      /**
        * Whether a configuration that was only guessed, and update()d, may be
        * gone on from: not where fibers may come out of each other on the wrong
        * side. The same on all ranks.
