@@ -10,6 +10,14 @@ namespace Heddle
   {
     namespace
     {
+      /** Where the frame of a pair is so well defined, sides touch. */
+      constexpr double well_defined = 0.3;
+
+      /** Less of a side than this is round-off. */
+      constexpr double least_side_on = 1e-8;
+
+
+
       /** Coordinates in the section of the vector @p r from the axis. */
       std::array<double, 2>
       place_in_section(const System::State        &state,
@@ -126,6 +134,24 @@ namespace Heddle
 
 
 
+    double
+    FrictionElement::side_on(const Pair &pair) const
+    {
+      // 1 if the connection is normal to both tangents.
+      const Tensor<1, 3> a = pair.tangent[0] / pair.tangent[0].norm(),
+                         b = pair.tangent[1] / pair.tangent[1].norm(),
+                         c = pair.connection / pair.connection.norm();
+      const double triple = cross_product_3d(a, b) * c, cosine = a * b;
+      Tensor<1, 3> middle = a + orientation * b;
+      middle /= middle.norm();
+      const double defined =
+        triple * triple + cosine * cosine * (1. - std::pow(middle * c, 2));
+      const double part = std::min(1., defined / well_defined);
+      return part < least_side_on ? 0. : part;
+    }
+
+
+
     FrictionElement::Motion
     FrictionElement::motion(const System::State &state) const
     {
@@ -134,12 +160,7 @@ namespace Heddle
       const auto &t = result.now.tangent;
       result.cosine =
         t[0] * t[1] / std::sqrt(t[0].norm_square() * t[1].norm_square());
-      result.side_on = 1.;
-      for (const Tensor<1, 3> &tangent : t)
-        result.side_on = std::min(result.side_on,
-                                  1. - (normal * tangent) * (normal * tangent) /
-                                         tangent.norm_square());
-      result.side_on     = std::max(result.side_on, 0.);
+      result.side_on     = side_on(result.now);
       result.frame       = result.now.frame(orientation);
       const Pair   then  = pair(state.accepted());
       Tensor<2, 3> frame = then.frame(orientation);

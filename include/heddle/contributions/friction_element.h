@@ -66,9 +66,7 @@ namespace Heddle
         double       cosine;     /**< of the angle between the fibers now [-] */
         double       gap_before; /**< of the surfaces at the last step [mm] */
 
-        /** 1 where sides touch, 0 where an end is pushed straight on: a frame
-         * of the pair is not known there [-]. */
-        double side_on;
+        double side_on; /**< see side_on() [-] */
 
         /** In the plane, without the rotation that both fibers share [mm]. */
         Tensor<1, 3> displacement;
@@ -173,6 +171,13 @@ namespace Heddle
       /** Add the blocks of one fiber: @p side is 0 for a, and 1 for b. */
       void
       add_particle(const System::State &state, const unsigned int side);
+
+      /**
+       * 1 where sides touch, 0 where an end is pushed straight on: no frame
+       * turns with the pair there, and it has no friction.
+       */
+      double
+      side_on(const Pair &pair) const;
 
       /** Between the particles in the configuration @p values. */
       Tensor<1, 3>
