@@ -30,7 +30,8 @@ namespace Heddle
                  "and print its size; solve nothing");
     app.add_flag("--print-parameters",
                  print_parameters,
-                 "Print all parameters of the scene with their meaning");
+                 "Print all parameters, of the scene if there is one, with "
+                 "their meaning");
     app
       .add_option("--set",
                   result.assignments,
@@ -72,7 +73,7 @@ namespace Heddle
         result.text = version_text();
         return result;
       }
-    require(!result.parameter_file.empty(),
+    require(print_parameters || !result.parameter_file.empty(),
             "No parameter file was given. Try \"heddle --help\".");
     require(!(validate && print_parameters),
             "Choose one of --validate and --print-parameters.");

@@ -241,6 +241,7 @@ namespace Heddle
   ParameterFile::scan(const std::string &file, const std::string &content)
   {
     files.push_back(file);
+    places.emplace_back();
     const std::size_t  depth = open_sections.size();
     std::istringstream in(content);
     std::string        physical_line;
@@ -269,6 +270,7 @@ namespace Heddle
             file + ": the section \"" + join_path(open_sections) +
               "\" is not closed by \"end\".");
     files.pop_back();
+    places.pop_back();
   }
 
 
@@ -302,6 +304,12 @@ namespace Heddle
         const std::string name   = Utilities::trim(rest.substr(0, equals));
         require(equals != std::string::npos && !name.empty(),
                 where + ": expected \"set Name = value\".");
+        auto entry = open_sections;
+        entry.push_back(name);
+        const auto first = places.back().insert({entry, where});
+        require(first.second,
+                where + ": \"" + join_path(entry) + "\" was set in " +
+                  first.first->second + " already: keep one of them.");
         statements.push_back({where,
                               open_sections,
                               name,

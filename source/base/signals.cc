@@ -1,5 +1,6 @@
 #include <heddle/base/signals.h>
 
+#include <array>
 #include <csignal>
 
 namespace Heddle
@@ -9,6 +10,9 @@ namespace Heddle
     namespace StopRequest
     {
       constexpr int limit_reached = 1000;
+
+      constexpr std::array<int, 4> signals = {
+        {SIGINT, SIGTERM, SIGHUP, SIGUSR1}};
 
       volatile std::sig_atomic_t last_signal = 0;
 
@@ -32,8 +36,14 @@ namespace Heddle
     , start(std::chrono::steady_clock::now())
   {
     internal::StopRequest::last_signal = 0;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1})
+    for (const int signal : internal::StopRequest::signals)
       {
+        struct sigaction before = {};
+        sigaction(signal, nullptr, &before);
+        previous.push_back(before);
+        // Such as SIGHUP under nohup: who started the run wants it so.
+        if (before.sa_handler == SIG_IGN)
+          continue;
         struct sigaction action = {};
         action.sa_handler       = internal::StopRequest::heddle_note_signal;
         action.sa_flags         = SA_RESTART;
@@ -45,8 +55,8 @@ namespace Heddle
 
   StopRequest::~StopRequest()
   {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1})
-      std::signal(signal, SIG_DFL);
+    for (unsigned int i = 0; i < previous.size(); ++i)
+      sigaction(internal::StopRequest::signals[i], &previous[i], nullptr);
   }
 
 
@@ -85,6 +95,8 @@ namespace Heddle
           return "signal SIGINT";
         case SIGTERM:
           return "signal SIGTERM";
+        case SIGHUP:
+          return "signal SIGHUP";
         case SIGUSR1:
           return "signal SIGUSR1";
         default:

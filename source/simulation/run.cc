@@ -266,7 +266,9 @@ namespace Heddle
     void
     run(const CommandLine &command_line, const MPI_Comm communicator)
     {
-      ParameterFile file(command_line.parameter_file);
+      ParameterFile file = command_line.parameter_file.empty()
+                             ? ParameterFile()
+                             : ParameterFile(command_line.parameter_file);
       for (const std::string &assignment : command_line.assignments)
         file.set(assignment);
       const Parameters parameters(file);

@@ -42,6 +42,7 @@ main()
   show({"a.prm"});
   show({"--validate", "a.prm"});
   show({"a.prm", "--print-parameters"});
+  show({"--print-parameters"});
   show({"--help"});
   show({"--version"});
   show({"--set", "A/B=1", "a.prm", "--set", "C d/E=x, y"});

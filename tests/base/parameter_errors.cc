@@ -113,6 +113,8 @@ main()
   answer("subsection Mesh\nset Cells \\\n  = 3\nend now\n");
   answer("\n\ninclude none.prm");
   answer("include scene.prm");
+  answer("subsection Mesh\nset Cells = 3\nend\nsubsection Mesh\n"
+         "set Cells = 4\nend\n");
   deallog.pop();
 
   deallog.push("command line");

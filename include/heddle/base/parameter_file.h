@@ -3,6 +3,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ namespace Heddle
   class ParameterFile
   {
   public:
+    /** A file that sets nothing. */
+    ParameterFile() = default;
+
     /** Read the file @p name and all that it includes, or throw InputError. */
     ParameterFile(const std::string &name);
 
@@ -116,9 +120,14 @@ namespace Heddle
     const std::string      file_text;
     std::vector<Statement> statements;
 
-    // While reading: the files and the sections that are open.
+    /** Where each entry of a file was set, by sections and name. */
+    using Places = std::map<std::vector<std::string>, std::string>;
+
+    // While reading: the files and the sections that are open, and what those
+    // files set by themselves. What a file includes may be set again.
     std::vector<std::string> files;
     std::vector<std::string> open_sections;
+    std::vector<Places>      places;
   };
 } // namespace Heddle
 

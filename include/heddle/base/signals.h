@@ -4,16 +4,19 @@
 #include <mpi.h>
 
 #include <chrono>
+#include <csignal>
 #include <string>
+#include <vector>
 
 namespace Heddle
 {
   /**
-   * Whether the run was asked to stop: by one of the signals SIGINT, SIGTERM
-   * and SIGUSR1, or by a limit on its wall-clock time. The run asks between
-   * two iterations, saves its state and ends in order.
+   * Whether the run was asked to stop: by one of the signals SIGINT, SIGTERM,
+   * SIGHUP and SIGUSR1, unless it was ignored before, or by a limit on its
+   * wall-clock time. The run asks between two iterations, saves its state and
+   * ends in order.
    *
-   * A second SIGINT or SIGTERM ends the program at once.
+   * A second SIGINT, SIGTERM or SIGHUP ends the program at once.
    */
   class StopRequest
   {
@@ -21,7 +24,7 @@ namespace Heddle
     /** Catch signals from now on. There is one such object at a time. */
     StopRequest(const MPI_Comm communicator);
 
-    /** Leave the signals to the system again. */
+    /** Signals do again what they did before. */
     ~StopRequest();
 
     StopRequest(const StopRequest &) = delete;
@@ -49,6 +52,7 @@ namespace Heddle
     const std::chrono::steady_clock::time_point start;
     double                                      limit = 0.;
     int                                         cause = 0;
+    std::vector<struct sigaction>               previous;
   };
 } // namespace Heddle
 
