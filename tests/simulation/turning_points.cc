@@ -1,6 +1,6 @@
 // Load steps hit the places at which the ramp of a fabric's test turns back,
-// with a kink or without, and none where it stays or goes on; beside the points
-// that were asked for.
+// with a kink or without or after it has stayed, and none where it goes on;
+// beside the points that were asked for.
 #include <heddle/simulation/fabric_loading_parameters.h>
 #include <heddle/solver/load_stepping.h>
 
@@ -41,5 +41,7 @@ main()
   test("sin(3*pi*t)");
   test("min(2*t, 1)");
   test("min(2*t, 1) - max(0, 4*t - 3)");
+  test("min(1, min(2.5*t, 2*(1-t)))");
+  test("min(2*t, 1) + max(0, t - 0.75)");
   test("abs(abs(4*t - 2) - 1) - 1");
 }

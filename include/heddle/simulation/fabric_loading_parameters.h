@@ -42,8 +42,10 @@ namespace Heddle
       void
       check() const;
 
-      /** Load factors between 0 and 1 at which the ramp goes up or down no
-       * longer, in ascending order. */
+      /**
+       * Load factors between 0 and 1 at which the ramp turns back, or where it
+       * begins to stay before it does so, in ascending order.
+       */
       std::vector<double>
       turning_points() const;
 
