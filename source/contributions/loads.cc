@@ -1,5 +1,6 @@
 #include <heddle/base/throw_together.h>
 #include <heddle/beam/end_moment.h>
+#include <heddle/beam/section_rotation.h>
 #include <heddle/contributions/loads.h>
 #include <heddle/system/block_archive.h>
 
@@ -366,7 +367,18 @@ namespace Heddle
     void
     Loads::accept_step(const System::State &state)
     {
-      work.add_step(state);
+      std::vector<ExternalWork::Turn> turns;
+      for (const Moment &moment : moments)
+        {
+          const Tensor<1, 3> rotation =
+            Beam::section_rotation(n_vectors,
+                                   state.accepted().data() + moment.block,
+                                   state.current().data() + moment.block);
+          for (unsigned int k = 0; k < n_vectors; ++k)
+            turns.push_back(
+              {moment.block + k, rotation, state.accepted()[moment.block + k]});
+        }
+      work.add_step(state, turns);
     }
 
 

@@ -64,6 +64,7 @@ namespace Heddle
       reference.assign(state.current().begin(),
                        state.current().begin() + state.n_owned_blocks());
       blocks = find_held_blocks(space, reference, supports, state.matrix());
+      accepted_load_factor = state.load_factor;
     }
 
 
@@ -212,7 +213,33 @@ namespace Heddle
     void
     Supports::accept_step(const System::State &state)
     {
-      work.add_step(state);
+      std::vector<ExternalWork::Turn> turns;
+      for (const HeldBlock &held : blocks)
+        {
+          const unsigned int block = held.local_block(state);
+          if (block >= state.n_owned_blocks() ||
+              held.kind == HeldBlock::Kind::tangent)
+            continue;
+          for (const unsigned int holder : held.holder)
+            if (holder != HeldBlock::nobody && motions[holder].angle)
+              {
+                const Expression  &angle = *motions[holder].angle;
+                const Tensor<1, 3> lever =
+                  held.kind == HeldBlock::Kind::position
+                    ? rotation(held, accepted_load_factor) *
+                        (held.reference - held.position)
+                    : state.accepted()[block];
+                turns.push_back(
+                  {block,
+                   (angle.value(held.position, state.load_factor) -
+                    angle.value(held.position, accepted_load_factor)) *
+                     motions[holder].axis,
+                   lever});
+                break;
+              }
+        }
+      work.add_step(state, turns);
+      accepted_load_factor = state.load_factor;
     }
 
 
@@ -232,6 +259,7 @@ namespace Heddle
       reference = System::read_blocks(archive, name() + "/reference", state);
       blocks    = find_held_blocks(space, reference, supports, state.matrix());
       work.load(archive, name(), state);
+      accepted_load_factor = state.load_factor;
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -16,7 +16,9 @@ namespace Heddle
     /**
      * The work of forces on blocks, step by step: that of the mean of the
      * forces before and after a step on the motion of the step, exact for
-     * forces that grow in proportion to it.
+     * forces that grow in proportion to it. Of what turns it is the work of the
+     * mean moment on the angle, for the chord of a turn by $\alpha$ has
+     * $\sin \alpha / \alpha$ of that.
      */
     class ExternalWork
     {
@@ -28,9 +30,23 @@ namespace Heddle
         now = forces;
       }
 
-      /** Add the work from the accepted to the current configuration. */
+      /** How an owned block turned in a step. */
+      struct Turn
+      {
+        unsigned int block;
+        Tensor<1, 3> rotation; /**< [rad] */
+
+        /** From the middle of the turn, before it: a section vector itself, or
+         * the place in a body [-, mm]. */
+        Tensor<1, 3> lever;
+      };
+
+      /**
+       * Add the work from the accepted to the current configuration, with what
+       * turned.
+       */
       void
-      add_step(const System::State &state);
+      add_step(const System::State &state, const std::vector<Turn> &turns = {});
 
       /** @return the work since the start, over all ranks [N mm]. */
       double

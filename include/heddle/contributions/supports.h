@@ -124,6 +124,7 @@ namespace Heddle
       std::vector<Motion>       motions;
       std::vector<Reaction>     reactions;
       ExternalWork              work;
+      double                    accepted_load_factor = 0.; /**< [-] */
     };
   } // namespace Contributions
 } // namespace Heddle
