@@ -390,16 +390,19 @@ namespace Heddle
 
 
     std::vector<CellEnd>
-    ContactCells::ends_of(const CurveList                 &curves,
-                          const std::vector<unsigned int> &numbers) const
+    ContactCells::find_ends(const CurveList           &curves,
+                            const std::vector<Sought> &sought) const
     {
-      std::vector<CellEnd> ends(numbers.size());
-      for (std::size_t first = 0; first < numbers.size();
+      std::vector<CellEnd> ends(sought.size());
+      for (std::size_t first = 0; first < sought.size();
            first += n_ends_at_once)
         {
           // The last ones are filled up with themselves.
+          const auto end_at = [&](const unsigned int i) -> const Sought & {
+            return sought[std::min(first + i, sought.size() - 1)];
+          };
           const auto cell = [&](const unsigned int i) -> const ContactCell & {
-            return all_cells[numbers[std::min(first + i, numbers.size() - 1)]];
+            return all_cells[end_at(i).cell];
           };
           const std::array<IntermediateGeometry, n_ends_at_once> between = {
             {geometry(curves, cell(0)),
@@ -410,14 +413,15 @@ namespace Heddle
           std::array<double, n_ends_at_once>                       p, q;
           for (unsigned int i = 0; i < n_ends_at_once; ++i)
             {
-              geometries[i] = &between[i];
-              p[i]          = range(cell(i), between[i]).second;
-              q[i]          = cell(i).q_end;
+              geometries[i]      = &between[i];
+              const auto p_range = range(cell(i), between[i]);
+              p[i] = end_at(i).begin ? p_range.first : p_range.second;
+              q[i] = end_at(i).begin ? cell(i).q_begin : cell(i).q_end;
             }
           const auto found = cell_ends(geometries, p, q);
           std::copy_n(
             found.begin(),
-            std::min<std::size_t>(n_ends_at_once, numbers.size() - first),
+            std::min<std::size_t>(n_ends_at_once, sought.size() - first),
             ends.begin() + first);
         }
       return ends;
@@ -435,32 +439,43 @@ namespace Heddle
       for (Zone &zone : all_zones)
         zone.penetration = 0.;
 
-      std::vector<unsigned int> near_cells;
+      std::vector<Sought> near_cells;
       for (unsigned int c = 0; c < all_cells.size(); ++c)
         {
           const ContactCell &cell = all_cells[c];
           if (cell.clearance <= skin * all_zones[cell.zone].radius +
                                   moved[cell.fiber_a] + moved[cell.fiber_b])
-            near_cells.push_back(c);
+            near_cells.push_back({c, /*begin=*/false});
         }
-      const std::vector<CellEnd> ends = ends_of(curves, near_cells);
+      const std::vector<CellEnd> ends = find_ends(curves, near_cells);
+
+      // Neighbouring cells share their ends, unless strongly bent fibers face
+      // each other in several places.
+      const auto continues = [&](const unsigned int k) {
+        const unsigned int c = near_cells[k].cell;
+        if (k == 0 || near_cells[k - 1].cell + 1 != c)
+          return false;
+        const ContactCell &cell = all_cells[c], &before = all_cells[c - 1];
+        return before.zone == cell.zone && before.number + 1 == cell.number &&
+               std::abs(ends[k - 1].q - cell.q_begin) <
+                 curves[cell.fiber_a].radius + curves[cell.fiber_b].radius;
+      };
+      std::vector<Sought> first_cells;
+      for (unsigned int k = 0; k < near_cells.size(); ++k)
+        if (!continues(k))
+          first_cells.push_back({near_cells[k].cell, /*begin=*/true});
+      const std::vector<CellEnd> begins = find_ends(curves, first_cells);
+
+      unsigned int n_begun = 0;
       for (unsigned int k = 0; k < near_cells.size(); ++k)
         {
-          const unsigned int c    = near_cells[k];
-          const ContactCell &cell = all_cells[c];
-          Zone              &zone = all_zones[cell.zone];
-
-          // Neighbouring cells share their ends, unless strongly bent fibers
-          // face each other in several places.
+          const unsigned int         c       = near_cells[k].cell;
+          const ContactCell         &cell    = all_cells[c];
+          Zone                      &zone    = all_zones[cell.zone];
           const IntermediateGeometry between = geometry(curves, cell);
-          const auto                 p       = range(cell, between);
-          const bool continues = k > 0 && near_cells[k - 1] == c - 1 &&
-                                 all_cells[c - 1].zone == cell.zone &&
-                                 all_cells[c - 1].number + 1 == cell.number &&
-                                 std::abs(ends[k - 1].q - cell.q_begin) <
-                                   between.a.radius + between.b.radius;
-          const CellEnd begin =
-            continues ? ends[k - 1] : cell_end(between, p.first, cell.q_begin);
+          const bool                 goes_on =
+            n_begun == begins.size() || first_cells[n_begun].cell != c;
+          const CellEnd begin = goes_on ? ends[k - 1] : begins[n_begun++];
 
           const auto   first = elements.size();
           const double penetration =

@@ -34,6 +34,9 @@ namespace Heddle
          */
         constexpr double right_angle = 0.1;
 
+        /** Axes closer than this, in sums of radii, are in one place. */
+        constexpr double coincident = 1e-3;
+
 
 
         double
@@ -219,6 +222,8 @@ namespace Heddle
       const std::vector<unsigned int> component =
         internal::ProximityZone::connect(first, n, cosines);
 
+      const double least_weighed = std::pow(
+        internal::ProximityZone::coincident * (a.radius + b.radius), 4);
       std::vector<ProximityZone> zones;
       for (unsigned int c = 0; c < n; ++c)
         if (component[c] == c)
@@ -241,7 +246,9 @@ namespace Heddle
                       closest = k;
                     }
                   // Neighbours along a bent zone are at an angle, but apart.
-                  const double weight = 1. / (square * square);
+                  // Two axes may have a point in common.
+                  const double weight =
+                    1. / std::max(square * square, least_weighed);
                   sine_sum +=
                     weight *
                     std::sqrt(std::max(0., 1. - cosines[k] * cosines[k]));

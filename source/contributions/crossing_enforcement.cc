@@ -96,9 +96,6 @@ namespace Heddle
       centerlines.set(state, state.current());
       for (Pair &pair : pairs)
         {
-          Assert(state.held_nodes(pair.upper) == space.all_nodes(pair.upper) &&
-                   state.held_nodes(pair.lower) == space.all_nodes(pair.lower),
-                 ExcMessage("Fibers that cross are not held whole."));
           if (overlap(pair) > apart)
             pair.climb = std::min(pair.crossing.normal.norm(), steepest);
         }
@@ -136,6 +133,9 @@ namespace Heddle
       elements.clear();
       for (Pair &pair : pairs)
         {
+          Assert(state.held_nodes(pair.upper) == space.all_nodes(pair.upper) &&
+                   state.held_nodes(pair.lower) == space.all_nodes(pair.lower),
+                 ExcMessage("Fibers that cross are not held whole."));
           const double penetration = overlap(pair) - allowance;
           if (penetration > 0.)
             elements.push_back(make_element(state, pair, penetration));

@@ -36,6 +36,9 @@ namespace Heddle
        */
       constexpr double pattern_margin = 0.1;
 
+      /** What is left after so many is round-off. */
+      constexpr unsigned int most_turns_to_forgive = 50;
+
       /** No guess is followed that lays fibers so deep in each other, in radii.
        */
       constexpr double deepest_guess = 0.3;
@@ -109,7 +112,9 @@ namespace Heddle
       update(state);
 
       // Elements of crossings move as surfaces do, and may find a little more.
-      while (statistics.n_active > 0.)
+      for (unsigned int turn = 0;
+           turn < most_turns_to_forgive && statistics.n_active > 0.;
+           ++turn)
         {
           cells.forgive();
           placed = false;

@@ -147,10 +147,17 @@ namespace Heddle
       std::pair<double, double>
       range(const ContactCell &cell, const IntermediateGeometry &between) const;
 
-      /** Where the cells of these numbers end, as placed in anew. */
+      /** One of both ends of a cell. */
+      struct Sought
+      {
+        unsigned int cell;
+        bool         begin;
+      };
+
+      /** Where these ends of cells are, as placed in anew. */
       std::vector<CellEnd>
-      ends_of(const CurveList                 &curves,
-              const std::vector<unsigned int> &numbers) const;
+      find_ends(const CurveList           &curves,
+                const std::vector<Sought> &sought) const;
 
       /** Leave the cells, and zones, of pairs of which no curve is stale. */
       void
