@@ -2,12 +2,24 @@
 #include <heddle/textile/clearance.h>
 #include <heddle/textile/weave.h>
 
+#include <array>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace Heddle
 {
   namespace Textile
   {
+    namespace
+    {
+      /** What fibers advance at least, over what the axis of their yarn does.
+       */
+      constexpr double least_advance = 0.3;
+    } // namespace
+
+
+
     void
     Weave::find_crimp()
     {
@@ -61,8 +73,43 @@ namespace Heddle
       // One percent for what the polygons cut off the curves.
       const double needed = 1.01 * (description.warp.packing.radius +
                                     description.weft.packing.radius);
-      return smallest_distance(
-               polylines(warp), polylines(weft), 2. * needed, needed) >= needed;
+      const std::array<std::vector<Polyline>, 2> lines = {
+        {polylines(warp), polylines(weft)}};
+      for (const Direction direction : {warp, weft})
+        for (const Polyline &line : lines[direction])
+          {
+            // Inside of a bend that is sharper than the yarn is thick fibers
+            // would run back.
+            const double step = lengths[direction] / (line.size() - 1);
+            for (unsigned int k = 0; k + 1 < line.size(); ++k)
+              if (line[k + 1][direction] - line[k][direction] <
+                  least_advance * step)
+                return false;
+          }
+      return smallest_distance(lines[warp], lines[weft], 2. * needed, needed) >=
+             needed;
+    }
+
+
+
+    std::string
+    Weave::short_ends() const
+    {
+      for (const Direction crossed : {warp, weft})
+        {
+          const double half = 0.5 * sections[crossed].width;
+          if (description.end_length * spacings[crossed] >= half)
+            continue;
+          std::ostringstream text;
+          text << std::setprecision(3) << "Weave/End length is "
+               << description.end_length << ": yarns end within the last "
+               << (crossed == warp ? "warp" : "weft")
+               << " yarns that they cross, and their fibers may slip off; "
+                  "these need "
+               << half / spacings[crossed] << ", better 1";
+          return text.str();
+        }
+      return "";
     }
 
 

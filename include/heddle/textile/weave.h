@@ -97,9 +97,16 @@ namespace Heddle
         return crimp_amplitude;
       }
 
-      /** Whether no warp fiber touches a weft fiber. */
+      /** Whether no warp fiber touches a weft fiber, and none runs back. */
       bool
       is_clear() const;
+
+      /**
+       * "Weave/End length is ...", if yarns end within the last ones that they
+       * cross, off which their fibers slip, or nothing.
+       */
+      std::string
+      short_ends() const;
 
     private:
       enum Direction
