@@ -1,3 +1,4 @@
+#include <heddle/base/reduce.h>
 #include <heddle/contributions/matrix_elasticity.h>
 
 #include <deal.II/base/mpi.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace Heddle
@@ -197,14 +199,15 @@ namespace Heddle
       for (const unsigned int c : matrix.near_cells())
         {
           visit(state, c, cell);
-          [[maybe_unused]] const double energy =
+          const double energy =
             kernel.assemble(cell.gradients.data(),
                             cell.weights.data(),
                             cell.places.data(),
                             residual.data(),
                             system.wants_tangent() ? tangent.data() : nullptr);
-          Assert(std::isfinite(energy),
-                 ExcMessage("A cell of the matrix is inside out."));
+          // A cell that is inside out, by round-off at best, has no forces.
+          if (!std::isfinite(energy))
+            residual.fill(std::numeric_limits<double>::quiet_NaN());
           system.add(n, cell.blocks.data(), residual.data(), tangent.data());
         }
       assemblies += system.wants_tangent() ? 1 : 0;
@@ -258,6 +261,49 @@ namespace Heddle
                       cell.places.data(),
                       states.data());
       return states;
+    }
+
+
+
+    MatrixElasticity::Turns
+    MatrixElasticity::turns(const System::State &state,
+                            const double         limit) const
+    {
+      Turns result;
+      if (!law->is_linear())
+        return result;
+      std::array<double, 2> volumes = {};
+      CellData              cell;
+      for (const unsigned int c : matrix.near_cells())
+        if (matrix.owns(matrix.cell(c)[0]))
+          {
+            visit(state, c, cell);
+            const unsigned int n = cell.blocks.size();
+            for (unsigned int q = 0; q < cell.weights.size(); ++q)
+              {
+                Tensor<2, 3> F;
+                for (unsigned int a = 0; a < n; ++a)
+                  for (unsigned int J = 0; J < 3; ++J)
+                    for (unsigned int i = 0; i < 3; ++i)
+                      F[i][J] +=
+                        cell.places[a][i] * cell.gradients[3 * (q * n + a) + J];
+                // Exact for rotations; strains change it by a part of itself.
+                const Tensor<1, 3> axis =
+                  0.5 *
+                  Tensor<1, 3>(
+                    {F[2][1] - F[1][2], F[0][2] - F[2][0], F[1][0] - F[0][1]});
+                const double angle =
+                  std::atan2(axis.norm(), 0.5 * (trace(F) - 1.));
+                result.largest = std::max(result.largest, angle);
+                volumes[0] += cell.weights[q];
+                volumes[1] += angle > limit ? cell.weights[q] : 0.;
+              }
+          }
+      sum_over_ranks(volumes, state.space.communicator());
+      result.largest =
+        Utilities::MPI::max(result.largest, state.space.communicator());
+      result.part = volumes[1] / volumes[0];
+      return result;
     }
 
 

@@ -29,6 +29,9 @@ namespace Heddle
       /** Of a cell that is full of fibers this part counts nevertheless. */
       constexpr double least_part = 0.05;
 
+      /** Fibers seldom miss more of the cells that they pass by chance [-]. */
+      constexpr double much_unlinked = 0.2;
+
       const std::string embedding = "matrix/embedding";
     } // namespace
 
@@ -51,6 +54,7 @@ namespace Heddle
                 " of a fiber lies in a cell, so that nothing links fibers and "
                 "matrix; choose a larger \"Overlap depth\", finer fibers, or "
                 "other corners of the block.");
+      counted.unlinked    = find_unlinked_part(own, state.space);
       const Points points = exchange(own);
       add_to(state, points);
 
@@ -161,6 +165,12 @@ namespace Heddle
            << counted.doubled << " is also fibers";
       if (parameters.subtract_fiber_volume)
         text << ", and " << counted.subtracted << " is subtracted";
+      if (counted.unlinked > much_unlinked)
+        text << "\nNote           " << std::lround(100. * counted.unlinked)
+             << " % of the length of fibers in the matrix lie in cells without "
+                "a coupling element, and do not reinforce these: raise "
+                "Matrix/Coupling points per element, or choose longer cells or "
+                "more elements of fibers";
       return text.str();
     }
 
@@ -369,6 +379,32 @@ namespace Heddle
         linked.push_back({piece.first, piece.second});
       state.set_matrix(
         matrix_space.get(), {nodes.begin(), nodes.end()}, linked);
+    }
+
+
+
+    double
+    Matrix::find_unlinked_part(const Points             &own,
+                               const System::FiberSpace &space) const
+    {
+      std::vector<unsigned int> n_links(mesh->cells().size());
+      for (const auto &point : own)
+        ++n_links[point.cell];
+      Utilities::MPI::sum(n_links, space.communicator(), n_links);
+
+      double within = 0., unlinked = 0.;
+      for (const Textile::FiberAxis &axis : axes)
+        for (unsigned int i = 0; i + 1 < axis.points.size(); ++i)
+          {
+            const Tensor<1, 3> piece = axis.points[i + 1] - axis.points[i];
+            const unsigned int cell =
+              mesh->locate(axis.points[i] + 0.5 * piece).cell;
+            if (cell == Textile::no_cell)
+              continue;
+            within += piece.norm();
+            unlinked += n_links[cell] == 0 ? piece.norm() : 0.;
+          }
+      return within > 0. ? unlinked / within : 0.;
     }
 
 

@@ -71,6 +71,21 @@ namespace Heddle
       std::vector<Solid::PointState>
       evaluate(const System::State &state, const unsigned int c) const;
 
+      /** Where a law that takes turns for strains is wrong. */
+      struct Turns
+      {
+        double part    = 0.; /**< of the volume, above the limit [-] */
+        double largest = 0.; /**< [rad] */
+      };
+
+      /**
+       * How far the material has turned, and what part of it by more than
+       * @p limit [rad]; nothing unless the law is linear.
+       * @note Collective.
+       */
+      Turns
+      turns(const System::State &state, const double limit) const;
+
       /** How often the tangents of cells were computed. */
       unsigned int
       n_assemblies() const

@@ -35,6 +35,9 @@ namespace Heddle
         double       volume     = 0.; /**< of the cells [mm^3] */
         double       doubled    = 0.; /**< of fibers in them [mm^3] */
         double       subtracted = 0.; /**< of that, from cells [mm^3] */
+
+        /** Part of the fibers' length that lies in cells without links [-]. */
+        double unlinked = 0.;
       };
 
       /**
@@ -121,6 +124,11 @@ namespace Heddle
 
       void
       add_to(System::State &state, const Points &points) const;
+
+      /** See Sizes::unlinked. @note Collective. */
+      double
+      find_unlinked_part(const Points             &own,
+                         const System::FiberSpace &space) const;
 
       /** Volume of fibers in each cell, over that of the cell. */
       std::vector<double>
