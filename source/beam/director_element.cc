@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Heddle
 {
@@ -377,6 +378,26 @@ namespace Heddle
           reference_strains += n_strains_at_point;
         }
       return split;
+    }
+
+
+
+    template <int degree>
+    double
+    DirectorElement<degree>::alignment(const Tensor<1, 3> *blocks,
+                                       const double        length) const
+    {
+      double least = std::numeric_limits<double>::max();
+      for (const auto &point : points)
+        {
+          const Fields p      = interpolate(point, blocks, length);
+          const auto   vector = [&p](const unsigned int part) {
+            return Tensor<1, 3>({p[part][0], p[part][1], p[part][2]});
+          };
+          least =
+            std::min(least, vector(0) * cross_product_3d(vector(3), vector(4)));
+        }
+      return least;
     }
 
 

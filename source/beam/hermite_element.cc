@@ -432,5 +432,17 @@ namespace Heddle
                                        /*tangent=*/nullptr);
       return split;
     }
+
+
+
+    double
+    HermiteElement::alignment(const Tensor<1, 3> *blocks,
+                              const double        length) const
+    {
+      const Tensor<1, 3> chord  = (blocks[2] - blocks[0]) / length,
+                         mean   = 0.5 * (blocks[1] + blocks[3]),
+                         middle = 1.5 * chord - 0.5 * mean;
+      return std::min(chord * mean, middle * mean);
+    }
   } // namespace Beam
 } // namespace Heddle

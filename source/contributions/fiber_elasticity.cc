@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -15,8 +16,14 @@ namespace Heddle
   {
     namespace
     {
-      /** No fiber bears more, by far [-]. */
+      /** No fiber bears more in compression, by far [-]. */
       constexpr double largest_strain = 0.3;
+
+      /** An element that is less aligned is turned back on itself [-]. */
+      constexpr double least_aligned = 0.1;
+
+      /** Nodes come no closer in an iteration than this part of the way. */
+      constexpr double largest_approach = 0.8;
     } // namespace
 
 
@@ -208,6 +215,29 @@ namespace Heddle
 
 
 
+    double
+    FiberElasticity::largest_step(const System::State     &state,
+                                  const System::Increment &increment) const
+    {
+      // Of nodes that are c apart, and to move by d against each other.
+      double             factor = std::numeric_limits<double>::max();
+      const unsigned int n      = space.n_blocks_per_node();
+      for_each_element(
+        state, [&](unsigned int, unsigned int, const unsigned int first) {
+          for (unsigned int i = 0; i + 1 < space.element().n_nodes(); ++i)
+            {
+              const unsigned int a = first + i * n, b = a + n;
+              const Tensor<1, 3> c = state.current()[b] - state.current()[a];
+              const double       approach = -(increment[b] - increment[a]) * c;
+              if (factor * approach > largest_approach * c.norm_square())
+                factor = largest_approach * c.norm_square() / approach;
+            }
+        });
+      return factor;
+    }
+
+
+
     std::string
     FiberElasticity::objection(const System::State &state) const
     {
@@ -220,17 +250,34 @@ namespace Heddle
           const double        length = space.element_length(f, e);
           const auto          split  = space.element().energy_split(
             space.fiber(f).section, blocks, length, reference_strains(f, e));
-          const double strain =
+          double strain =
             std::sqrt(2. * (split.axial + split.shear + split.section) /
                       (space.fiber(f).section.axial * length));
+          const bool turned_back =
+            space.element().alignment(blocks, length) < least_aligned;
+          if (turned_back)
+            strain = std::numeric_limits<double>::max();
+          else if (strain > largest_strain &&
+                   space.element()
+                       .section_state(space.fiber(f).section,
+                                      blocks,
+                                      length,
+                                      reference_strains(f, e))
+                       .axial_strain > 0.)
+            return;
           if (strain > largest)
             {
               largest = strain;
               worst.str("");
-              worst << std::setprecision(3) << "fiber " << f
-                    << " is strained by " << strain << " near (" << blocks[0][0]
-                    << ", " << blocks[0][1] << ", " << blocks[0][2]
-                    << "), an element may be turned inside out";
+              worst << std::setprecision(3);
+              if (turned_back)
+                worst << "an element of fiber " << f << " near ("
+                      << blocks[0][0] << ", " << blocks[0][1] << ", "
+                      << blocks[0][2] << ") is turned back on itself";
+              else
+                worst << "fiber " << f << " is strained by " << strain
+                      << " near (" << blocks[0][0] << ", " << blocks[0][1]
+                      << ", " << blocks[0][2] << "), in compression";
             }
         });
       const auto where =

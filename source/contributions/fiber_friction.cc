@@ -48,10 +48,13 @@ namespace Heddle
       // Contact places its elements anew wherever fibers have moved.
       if (placement == contact.placement())
         return;
+      placement = contact.placement();
+      elements.clear();
+      if (!active)
+        return;
       const auto touches = [](const Contact::ContactElement &touching) {
         return touching.force > 0.;
       };
-      elements.clear();
       elements.reserve(std::count_if(
         contact.elements().begin(), contact.elements().end(), touches));
       for (const Contact::ContactElement &touching : contact.elements())
@@ -62,7 +65,6 @@ namespace Heddle
             if (element.law.limit > 0.)
               elements.push_back(element);
           }
-      placement = contact.placement();
     }
 
 
@@ -426,6 +428,16 @@ namespace Heddle
       memory.set(none);
       placement = 0;
       stored = dissipated = 0.;
+    }
+
+
+
+    void
+    FiberFriction::set_active(const bool yes)
+    {
+      if (active != yes)
+        placement = 0;
+      active = yes;
     }
 
 

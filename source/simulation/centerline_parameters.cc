@@ -36,7 +36,8 @@ namespace Heddle
                     Patterns::Double(1e-12));
       add_parameter("Interpolation",
                     interpolation,
-                    "The curve through the points: 'spline' (C2) or "
+                    "The curve through the points: 'spline' (C2, not curved "
+                    "at its ends) or "
                     "'catmull-rom' (C1, and more local) [-].",
                     prm,
                     Patterns::Selection("spline|catmull-rom"));

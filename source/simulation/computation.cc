@@ -51,10 +51,12 @@ namespace Heddle
       using Status = IO::Summary::Status;
       if (place.stepping != nullptr)
         {
-          // Only a search tells whether fibers are near each other.
-          for (const auto &contribution :
-               scene.stages()[place.stage].contributions)
-            contribution->update(scene.state());
+          // Only a search tells whether fibers are near each other. A stage
+          // that has yet to begin sees to this by itself.
+          if (place.stepping->has_begun())
+            for (const auto &contribution :
+                 scene.stages()[place.stage].contributions)
+              contribution->update(scene.state());
           recorder.continue_from(place);
           if (recorder.has_ended(place))
             log << "Note           this run has ended: nothing is left to "
@@ -74,12 +76,15 @@ namespace Heddle
         }
       catch (const NotConverged &error)
         {
+          // First: what is saved may find the disk full.
+          recorder.finish(Status::not_converged, error.what());
           keep_last_step();
           recorder.finish(Status::not_converged, error.what());
           throw;
         }
       catch (const Stopped &error)
         {
+          recorder.finish(Status::stopped, error.what());
           reject(scene.stages()[place.stage]);
           recorder.write_checkpoint(place);
           recorder.finish(Status::stopped, error.what());
@@ -183,6 +188,7 @@ namespace Heddle
     {
       const Stage          &stage = scene.stages()[place.stage];
       Solver::LoadStepping &steps = *stepping[place.stage];
+      n_unstable_steps            = 0;
       while (!steps.finished())
         {
           Solver::NewtonResult result = try_step(stage);
@@ -216,6 +222,12 @@ namespace Heddle
                   << std::endl;
             }
         }
+      if (n_unstable_steps > 0)
+        log << "Note           " << n_unstable_steps << " steps of stage "
+            << stage.name
+            << " ended in an equilibrium that is not stable: a small "
+               "disturbance, such as a force across, leads to another one"
+            << std::endl;
       const std::string objection = stage.objection();
       if (!objection.empty())
         throw NotConverged("Stage " + stage.name + ": " + objection + ".");
@@ -228,6 +240,9 @@ namespace Heddle
       if (!lost.empty())
         log << "Note           " << lost
             << ": yarns have slipped off the ends of others" << std::endl;
+      const std::string turned = scene.turned_matrix();
+      if (!turned.empty())
+        log << "Note           " << turned << std::endl;
     }
 
 
@@ -272,6 +287,7 @@ namespace Heddle
           total.obstacle       = result.obstacle;
           total.converged      = result.converged;
           total.used_up        = result.used_up;
+          total.unstable       = result.unstable;
 
           // Only now is it known whether fibers came near each other.
           const bool rough =
@@ -290,6 +306,10 @@ namespace Heddle
             if (total.obstacle.empty())
               total.obstacle = contribution->objection(state);
           total.converged = total.obstacle.empty();
+          // Reactions belong to the forces that are found in the end.
+          if (total.converged)
+            for (const auto &contribution : contributions)
+              contribution->observe(*newton.system());
         }
       return total;
     }
@@ -312,6 +332,11 @@ namespace Heddle
       if (!std::isnan(result.residual_ratio))
         log << ", residual " << std::scientific << std::setprecision(1)
             << result.residual_ratio;
+      if (result.unstable)
+        {
+          log << "; not stable";
+          ++n_unstable_steps;
+        }
       log << std::endl;
       recorder.add_step(place, result);
     }

@@ -69,7 +69,8 @@ namespace Heddle
                     Patterns::Double(0.));
       add_parameter("Shear stiffness",
                     shear_stiffness,
-                    "k G A, in place of that of the circle; 0: of the circle. "
+                    "k G A, in place of that of the circle; 0: of the "
+                    "circle, with k = 1. "
                     "Inactive for 'hermite' [N].",
                     prm,
                     Patterns::Double(0.));

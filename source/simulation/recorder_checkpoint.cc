@@ -142,7 +142,9 @@ namespace Heddle
                 << " when fibers settled: their places and strains stay as "
                    "they were"
                 << std::endl;
-      const std::string wrong = scene.wrong_crossings();
+      std::string wrong = scene.wrong_crossings();
+      if (wrong.empty())
+        wrong = scene.lost_crossings();
       require(wrong.empty(),
               "Restart/Initial configuration: in \"" + file + "\" " + wrong +
                 "; it is of another weave, or of a run that ended so.");

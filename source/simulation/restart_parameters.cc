@@ -12,7 +12,9 @@ namespace Heddle
                     "Folder of results, or file, from which the initial "
                     "configuration of a weave is taken instead of being "
                     "computed; ranks, friction, matrix and loads may be others "
-                    "there. Empty: compute it [-].");
+                    "there. Its path begins where the program is started. "
+                    "Section 'Initial configuration' is idle then. Empty: "
+                    "compute it [-].");
       add_parameter("Stress free",
                     stress_free,
                     "Whether fibers are free of stress, and of contact forces, "

@@ -16,8 +16,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <set>
+#include <sstream>
 
 namespace Heddle
 {
@@ -316,6 +318,26 @@ namespace Heddle
 
 
     std::string
+    Scene::turned_matrix() const
+    {
+      // Turned by an angle, material seems strained by half of its square.
+      constexpr double large = 0.15, much = 0.05;
+      if (!composite)
+        return "";
+      const auto turns = composite->elasticity()->turns(*configuration, large);
+      if (turns.part < much)
+        return "";
+      std::ostringstream text;
+      text << std::setprecision(2) << "Matrix/Law is linear, which takes turns "
+           << "for strains: " << std::lround(100. * turns.part)
+           << " % of the matrix have turned by more than " << large
+           << " rad, up to " << turns.largest << "; another law is right there";
+      return text.str();
+    }
+
+
+
+    std::string
     Scene::overlap_at_start() const
     {
       constexpr double much = 0.5;
@@ -339,7 +361,9 @@ namespace Heddle
     std::string
     Scene::short_fibers() const
     {
-      return measured ? measured->short_fibers() : "";
+      return measured ? measured->short_fibers()
+             : woven  ? woven->short_ends()
+                      : "";
     }
 
 
@@ -405,6 +429,12 @@ namespace Heddle
            threshold =
              parameters.settle.thresholds(parameters.contact.threshold).back()](
             const double) { contact->set_threshold(threshold); };
+      if (!is_fabric() && fiber_friction)
+        stage.set_up = [friction = fiber_friction](const double load_factor) {
+          // What comes to rest at load factor 0, as fibers that overlap, has
+          // no way behind it.
+          friction->set_active(load_factor > 0.);
+        };
       add_friction(stage);
       all_stages.push_back(stage);
     }

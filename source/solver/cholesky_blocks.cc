@@ -101,10 +101,15 @@ namespace Heddle
     CholeskyBlocks::solve(const double *residual, double *result) const
     {
       PetscErrorCode code = VecPlaceArray(right, residual);
-      code                = code != 0 ? code : VecPlaceArray(left, result);
-      code                = code != 0 ? code : MatSolve(factor, right, left);
-      code                = code != 0 ? code : VecResetArray(right);
-      return code != 0 ? code : VecResetArray(left);
+      if (code != 0)
+        return code;
+      code = VecPlaceArray(left, result);
+      if (code == 0)
+        code = MatSolve(factor, right, left);
+      // Whatever happened: what is placed anew must find nothing in place.
+      VecResetArray(left);
+      VecResetArray(right);
+      return code;
     }
   } // namespace Solver
 } // namespace Heddle

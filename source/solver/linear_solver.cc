@@ -91,6 +91,19 @@ namespace Heddle
 
 
 
+      /** Of all ranks: as many as the matrix has negative eigenvalues. */
+      PetscInt
+      n_negative_pivots(const PC pc)
+      {
+        Mat factor;
+        petsc(PCFactorGetMatrix(pc, &factor));
+        PetscInt number;
+        petsc(MatMumpsGetInfog(factor, 12, &number));
+        return number;
+      }
+
+
+
       /** Set an option of PETSc, unless the user has. */
       void
       set_default(const std::string &option, const std::string &value)
@@ -369,6 +382,8 @@ namespace Heddle
       else
         {
           last = factorizing;
+          // Stability without an energy is another question.
+          result.indefinite = !unsymmetric && n_negative_pivots(pc) > 0;
           if (unsymmetric)
             {
               petsc(PCApply(pc, system.right_hand_side(), system.solution()));

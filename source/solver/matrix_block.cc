@@ -95,10 +95,15 @@ namespace Heddle
     MatrixBlock::apply(const double *residual, double *result) const
     {
       PetscErrorCode code = VecPlaceArray(input, residual);
-      code                = code != 0 ? code : VecPlaceArray(output, result);
-      code                = code != 0 ? code : PCApply(pc, input, output);
-      code                = code != 0 ? code : VecResetArray(input);
-      return code != 0 ? code : VecResetArray(output);
+      if (code != 0)
+        return code;
+      code = VecPlaceArray(output, result);
+      if (code == 0)
+        code = PCApply(pc, input, output);
+      // Whatever happened: what is placed anew must find nothing in place.
+      VecResetArray(output);
+      VecResetArray(input);
+      return code;
     }
   } // namespace Solver
 } // namespace Heddle

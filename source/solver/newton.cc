@@ -58,34 +58,22 @@ namespace Heddle
       /** No step is stretched so that a fiber moves further, in radii. */
       constexpr double longest_stretched_motion = 0.5;
 
-      /** Prescribed motion that is below round-off, in radii. */
-      constexpr double reached = 1e-9;
-
-      /** A guess that misses more than this of what is prescribed is none. */
-      constexpr double largest_miss = 0.5;
-
-      /** A guess of which no more than this may be gone along at a time leads
-       * where nothing can go. */
-      constexpr double least_part_of_guess = 1e-3;
-
       /** What is prescribed does not come about by steps shorter than this. */
       constexpr double least_part_of_step = 1e-6;
 
+      /** Prescribed motion that is little, in radii, is searched ... */
+      constexpr double little = 0.01;
+
+      /** ... in so many iterations in a row. */
+      constexpr unsigned int most_searched = 3;
+
+      /** Iterations at rest, one after the other, to which a term objects. */
+      constexpr unsigned int most_objections = 5;
+
       const std::string not_arrived =
-        "supports do not get to where they are to be: contact, or cells of the "
-        "matrix that would turn inside out, allow short steps only";
-
-      /** Parts of a step below this are round-off. */
-      constexpr double round_off = 1e-13;
-
-      /**
-       * So much of the size of a scene are positions off in a solved system,
-       * for they have no more digits: the last one, and some more by the
-       * solver. On a cantilever of 256 elements it was up to 50 in Debug.
-       */
-      constexpr double last_digits =
-        256. * std::numeric_limits<double>::epsilon();
-
+        "supports do not get to where they are to be: contact, or elements of "
+        "fibers or cells of the matrix that would turn inside out, allow short "
+        "steps only";
     } // namespace
 
 
@@ -107,52 +95,6 @@ namespace Heddle
 
 
 
-    void
-    Newton::begin(const System::State &state)
-    {
-      if (block_system && field_version == state.field_version())
-        return;
-      linear_solver.reset();
-      field_version = state.field_version();
-
-      // What is factorized has to be in the matrix. Where nothing is in contact
-      // a system may be factorized nevertheless: nothing couples fibers then.
-      block_system = std::make_unique<System::BlockSystem>(
-        state,
-        /*couplings_apart=*/
-        !linear_parameters.direct(state.n_dofs(),
-                                  /*contact=*/true));
-      linear_solver =
-        std::make_unique<LinearSolver>(linear_parameters, *block_system);
-      damping = std::make_unique<FiberDamping>(state.space, parameters.damping);
-      length_scale = state.space.fiber(0).radius;
-      for (unsigned int f = 0; f < state.space.n_fibers(); ++f)
-        length_scale = std::min(length_scale, state.space.fiber(f).radius);
-    }
-
-
-
-    void
-    Newton::find_negligible_force(const System::State &state,
-                                  const Contributions &contributions)
-    {
-      double stiffest = 0., size = 0.;
-      for (const auto &contribution : contributions)
-        stiffest = std::max(stiffest, contribution->largest_stiffness());
-      for (unsigned int b = 0; b < state.n_owned_fiber_blocks();
-           b += state.space.n_blocks_per_node())
-        size = std::max(size, state.current()[b].norm());
-      for (unsigned int b = state.n_owned_fiber_blocks();
-           b < state.n_owned_blocks();
-           ++b)
-        size = std::max(size, state.current()[b].norm());
-      negligible_force = last_digits *
-                         Utilities::MPI::max(stiffest, communicator) *
-                         Utilities::MPI::max(size, communicator);
-    }
-
-
-
     NewtonResult
     Newton::solve(System::State           &state,
                   const Contributions     &contributions,
@@ -163,9 +105,15 @@ namespace Heddle
       find_negligible_force(state, contributions);
       const bool        guessed = follow(state, contributions, guess);
       NewtonResult      result;
+      LinearResult      linear;
       System::Increment increment;
-      unsigned int      adapted_at = 0;
-      const Calm       &calmness =
+      unsigned int      adapted_at = 0, n_pending = 0, n_objections = 0;
+
+      // An equilibrium that is not stable is left for one that is: from the
+      // start on, held back as where fibers touch.
+      const std::vector<Tensor<1, 3>> start   = state.current();
+      bool                            guarded = false;
+      const Calm                     &calmness =
         aim == Aim::calm ? before_friction : before_equilibrium;
 
       const unsigned int limit = state.load_factor == 0.
@@ -231,20 +179,38 @@ namespace Heddle
               balanced              = is_balanced(residual);
               adapted_at            = iteration;
             }
-          result.obstacle.clear();
-          if (balanced && still)
+          result.obstacle =
+            balanced && still ? first_objection(state, contributions) : "";
+          if (balanced && still && result.obstacle.empty())
             {
-              for (const auto &contribution : contributions)
-                if (result.obstacle.empty())
-                  result.obstacle = contribution->objection(state);
-              if (result.obstacle.empty())
+              if (linear.indefinite && !rough && !guarded)
                 {
+                  log << "  not stable: from the start, held back" << std::endl;
+                  state.set(start);
                   for (const auto &contribution : contributions)
-                    contribution->observe(*block_system);
-                  result.converged = true;
-                  return result;
+                    contribution->begin_step(state);
+                  damping->reset(/*in_motion=*/true);
+                  guarded = true;
+                  continue;
                 }
+              for (const auto &contribution : contributions)
+                contribution->observe(*block_system);
+              if (guarded)
+                {
+                  // Without what holds it back.
+                  block_system->end();
+                  linear = linear_solver->solve(/*exactly=*/true);
+                }
+              result.unstable  = linear.indefinite && !rough;
+              result.converged = true;
+              return result;
             }
+          // What is at rest, and stays so, no iteration mends.
+          n_objections = result.obstacle.empty() || adapted_at == iteration
+                           ? 0
+                           : n_objections + 1;
+          if (n_objections == most_objections)
+            return result;
           if (iteration == limit)
             {
               result.used_up = true;
@@ -278,29 +244,15 @@ namespace Heddle
               adapted_at = iteration;
             }
 
-          LinearResult linear;
-          {
-            SectionTimer::Scope scope(timer, "linear solver");
-            if (rough)
-              damping->add_to(*block_system, state);
-            block_system->end();
-
-            // Damping mends what is not positive definite, where there is any.
-            // What is not found of how yarns move damps them while surfaces are
-            // soft: the plain weave comes near in 45 instead of 52 iterations.
-            // Without it after that 576 fibers take 135 instead of 86
-            // (doc/what_was_tried.md).
-            linear = linear_solver->solve(
-              !rough,
-              /*yarn_motions=*/!rough || softness == 0.,
-              aim == Aim::calm ? looser_before_friction : 1.);
-            result.linear_iterations += linear.iterations;
-            result.factorizations += linear.factorizations;
-            block_system->extract_increment(increment);
-          }
+          const bool held = rough || guarded;
+          if (held)
+            damping->add_to(*block_system, state);
+          linear = solve_linear_system(rough, aim, increment);
+          result.linear_iterations += linear.iterations;
+          result.factorizations += linear.factorizations;
 
           // Chance makes a tangent that is not positive definite singular.
-          if (linear.singular && rough && damping->raise())
+          if (linear.singular && held && damping->raise())
             {
               // How far fibers have to move is not known.
               result.increment = std::numeric_limits<double>::infinity();
@@ -314,22 +266,28 @@ namespace Heddle
               return result;
             }
           // Prescribed motion may well raise the energy, where it drives the
-          // step and not what is left of it after a guess.
-          const bool search =
-            rough && LineSearch::driven_by_forces(*block_system, increment);
+          // step and not what is left of it after a guess. What little is left
+          // of it is not searched for long: a search that cuts the step again
+          // and again would never get there.
+          const double pending = residual.pending / length_scale;
+          const bool   search =
+            held && n_pending < most_searched &&
+            LineSearch::driven_by_forces(*block_system, increment);
+          n_pending = pending > reached && pending < little ? n_pending + 1 : 0;
 
           // A tangent that is not positive definite may lead uphill, away from
           // equilibrium: fibers are held back until it does not. What is far
           // from symmetric has no energy.
           if (search && !linear.unsymmetric &&
-              LineSearch::slope(*block_system, increment) > 0. &&
+              (LineSearch::slope(*block_system, increment) > 0. ||
+               (guarded && linear.indefinite)) &&
               damping->raise())
             {
               result.increment = motion;
               continue;
             }
 
-          const bool   in_place = residual.pending <= reached * length_scale;
+          const bool   in_place = pending <= reached;
           const double longest =
             in_place ? std::max(1., longest_stretched_motion / motion) : 1.;
           const double taken = step_length(state,
@@ -343,7 +301,7 @@ namespace Heddle
               result.obstacle = not_arrived;
               return result;
             }
-          if (rough)
+          if (held)
             damping->adapt(state, increment, taken, length_scale);
           for (Tensor<1, 3> &motion_of_block : increment)
             motion_of_block *= taken;
@@ -352,6 +310,42 @@ namespace Heddle
           state.move(1., increment);
           result.increment = taken * motion;
         }
+    }
+
+
+
+    std::string
+    Newton::first_objection(const System::State &state,
+                            const Contributions &contributions) const
+    {
+      std::string objection;
+      for (const auto &contribution : contributions)
+        if (objection.empty())
+          objection = contribution->objection(state);
+      return objection;
+    }
+
+
+
+    LinearResult
+    Newton::solve_linear_system(const bool         rough,
+                                const Aim          aim,
+                                System::Increment &increment)
+    {
+      SectionTimer::Scope scope(timer, "linear solver");
+      block_system->end();
+
+      // Damping mends what is not positive definite, where there is any.
+      // What is not found of how yarns move damps them while surfaces are
+      // soft: the plain weave comes near in 45 instead of 52 iterations.
+      // Without it after that 576 fibers take 135 instead of 86
+      // (doc/what_was_tried.md).
+      const LinearResult linear =
+        linear_solver->solve(!rough,
+                             /*yarn_motions=*/!rough || softness == 0.,
+                             aim == Aim::calm ? looser_before_friction : 1.);
+      block_system->extract_increment(increment);
+      return linear;
     }
 
 
@@ -440,158 +434,6 @@ namespace Heddle
         damping->curvature(state, of_unknowns), communicator);
       LineSearch along(state, contributions, *block_system, increment, held);
       return along.best_step(std::min(largest, longest));
-    }
-
-
-
-    double
-    Newton::residual_ratio(System::State       &state,
-                           const Contributions &contributions)
-    {
-      // No system is solved here: its pattern and tangent can wait.
-      begin(state);
-      find_negligible_force(state, contributions);
-      {
-        SectionTimer::Scope scope(timer, "detection");
-        update(state, contributions);
-        block_system->set_constraints(constraints);
-      }
-      assemble(state, contributions, System::BlockSystem::Want::residual);
-      return judge(contributions).ratio;
-    }
-
-
-
-    Residual
-    Newton::judge(const Contributions &contributions) const
-    {
-      return Solver::judge(
-        *block_system, contributions, constraints, negligible_force);
-    }
-
-
-
-    bool
-    Newton::follow(System::State           &state,
-                   const Contributions     &contributions,
-                   const System::Increment &guess)
-    {
-      // A rank without fibers has no part in a guess, but goes along. Without
-      // rough terms Newton's method goes further in one step.
-      if (Utilities::MPI::max(guess.empty() ? 0 : 1, communicator) == 0 ||
-          std::none_of(contributions.begin(),
-                       contributions.end(),
-                       [](const auto &one) { return one->is_rough(); }))
-        return false;
-      SectionTimer::Scope scope(timer, "detection");
-
-      // What does not bring the ends where they are to go leads elsewhere.
-      const auto motion = [&] {
-        System::Increment whole = guess;
-        whole.resize(state.n_local_blocks());
-        state.update_ghosts(whole);
-        return whole;
-      };
-      collect_constraints(state, contributions);
-      const double      before = pending_motion(constraints, communicator);
-      System::Increment whole  = motion();
-      state.move(1., whole);
-      collect_constraints(state, contributions);
-      const double after = pending_motion(constraints, communicator);
-      state.move(-1., whole);
-      if (after > largest_miss * before + reached * length_scale)
-        return false;
-
-      double left = 1., part = 0.;
-      while (true)
-        {
-          if (stop.received())
-            throw Stopped("stopped by " + stop.reason());
-          for (const auto &contribution : contributions)
-            contribution->update(state);
-          whole = motion();
-          if (!std::all_of(contributions.begin(),
-                           contributions.end(),
-                           [](const auto &one) { return one->is_credible(); }))
-            {
-              state.move(-part, whole);
-              return left + part < 1.;
-            }
-          if (left == 0.)
-            return true;
-          part = left;
-          for (const auto &contribution : contributions)
-            part = std::min(part, contribution->largest_step(state, whole));
-          part = Utilities::MPI::min(part, communicator);
-          // The closer to a cell that is inside out, the shorter.
-          if (part < std::min(left, least_part_of_guess))
-            {
-              state.move(left - 1., whole);
-              return false;
-            }
-          state.move(part, whole);
-          left = left - part > round_off ? left - part : 0.;
-        }
-    }
-
-
-
-    void
-    Newton::collect_constraints(const System::State &state,
-                                const Contributions &contributions)
-    {
-      constraints.clear();
-      for (const auto &contribution : contributions)
-        contribution->constrain(state, constraints);
-    }
-
-
-
-    void
-    Newton::update(System::State &state, const Contributions &contributions)
-    {
-      for (const auto &contribution : contributions)
-        contribution->update(state);
-      collect_constraints(state, contributions);
-    }
-
-
-
-    void
-    Newton::prepare(System::State &state, const Contributions &contributions)
-    {
-      SectionTimer::Scope scope(timer, "detection");
-      update(state, contributions);
-      for (const auto &contribution : contributions)
-        contribution->begin_iteration(state);
-
-      bool stale =
-        !block_system->tangent() || ghost_version != state.ghost_version();
-      for (const auto &contribution : contributions)
-        stale = contribution->needs_new_pattern() || stale;
-      if (Utilities::MPI::max(stale ? 1 : 0, communicator) > 0)
-        {
-          System::BlockPattern pattern(state.n_owned_blocks(),
-                                       block_system->keeps_couplings_apart());
-          for (const auto &contribution : contributions)
-            contribution->add_pattern(state, pattern);
-          block_system->set_pattern(pattern);
-          ghost_version = state.ghost_version();
-        }
-      block_system->set_constraints(constraints);
-    }
-
-
-
-    void
-    Newton::assemble(System::State                  &state,
-                     const Contributions            &contributions,
-                     const System::BlockSystem::Want want)
-    {
-      SectionTimer::Scope scope(timer, "assembly");
-      block_system->begin(want);
-      for (const auto &contribution : contributions)
-        contribution->assemble(state, *block_system);
     }
 
 

@@ -1,6 +1,7 @@
 // A rigid motion of a stressed element leaves strains, energy and section
 // forces as they are and turns the nodal forces; these have no resultant and no
-// moment. The split of the energy adds up to the energy.
+// moment. The split of the energy adds up to the energy. Only an element that
+// is turned back on itself is not aligned with its ends or sections.
 #include "random_element.h"
 
 using State = std::vector<Tensor<1, 3>>;
@@ -107,5 +108,19 @@ main()
               << (resultant.norm() < 1e-13) << ", no moment "
               << (moment.norm() < 1e-13) << ", split adds up "
               << (std::abs(sum - energy) < 1e-13) << std::endl;
+
+      const auto alignment = [&random](const State &state) {
+        return random.element->alignment(state.data(), random.length);
+      };
+      const State straight = random.straight();
+      State       back     = straight;
+      for (unsigned int b = 0; b < back.size(); ++b)
+        if (is_position(random, b))
+          back[b][0] *= -1.;
+      deallog << "  alignment at rest " << rounded(alignment(straight))
+              << ", as before the motion "
+              << (std::abs(alignment(turned) - alignment(random.blocks)) <
+                  1e-13)
+              << ", turned back " << (alignment(back) < 0.) << std::endl;
     }
 }

@@ -1,6 +1,6 @@
-// Two nodes that changed places turn the element between them inside out: that
-// is objected to, as is any strain above 0.3. A strain of 0.2 is none, nor is a
-// fiber that is bent to a ring of five times its radius.
+// Two nodes that changed places turn the element between them back on itself:
+// that is objected to, as is any compression by more than 0.3. A strain of 0.8
+// is none, nor is a fiber that is bent to a ring of five times its radius.
 #include "scene.h"
 
 #include <functional>
@@ -43,11 +43,14 @@ main(int argc, char **argv)
         return 8. / (2. * numbers::PI) *
                Tensor<1, 3>({std::sin(angle), 1. - std::cos(angle), 0.});
       });
-      examine(element, "stretched by 0.2", [&](const double x) {
-        return along(1.2 * x);
+      examine(element, "compressed by 0.2", [&](const double x) {
+        return along(0.8 * x);
       });
       examine(element, "stretched by 0 to 0.64", [&](const double x) {
         return along(x + 0.04 * x * x);
+      });
+      examine(element, "compressed by 0 to 0.48", [&](const double x) {
+        return along(x - 0.03 * x * x);
       });
       examine(element, "two nodes changed places", [&](const double x) {
         return along(x == 3. || x == 4. ? 7. - x : x);

@@ -119,6 +119,9 @@ namespace Heddle
                    const double        length,
                    const double       *reference_strains) const override;
 
+      double
+      alignment(const Tensor<1, 3> *blocks, const double length) const override;
+
     private:
       std::array<LagrangePoint<degree>, degree> points;
     };

@@ -159,6 +159,14 @@ namespace Heddle
                    const Tensor<1, 3> *blocks,
                    const double        length,
                    const double       *reference_strains) const = 0;
+
+      /**
+       * The least of $r' \cdot d$, the direction d being that in which sections
+       * or ends point: 1 where nothing is strained, 0 or less in an element
+       * that is turned back on itself, whose strains may all be zero [-].
+       */
+      virtual double
+      alignment(const Tensor<1, 3> *blocks, const double length) const = 0;
     };
 
     /**

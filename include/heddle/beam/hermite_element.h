@@ -88,6 +88,9 @@ namespace Heddle
                    const Tensor<1, 3> *blocks,
                    const double        length,
                    const double       *reference_strains) const override;
+
+      double
+      alignment(const Tensor<1, 3> *blocks, const double length) const override;
     };
   } // namespace Beam
 } // namespace Heddle

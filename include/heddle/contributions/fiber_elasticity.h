@@ -53,9 +53,14 @@ namespace Heddle
       double
       largest_stiffness() const override;
 
+      /** No two nodes next to each other pass by each other. */
+      double
+      largest_step(const System::State     &state,
+                   const System::Increment &increment) const override;
+
       /**
-       * An element that is strained beyond all that a fiber bears: the law has
-       * equilibria in which elements are turned inside out.
+       * An element that is turned back on itself, in which the law may have no
+       * strains, or compressed beyond all that a fiber bears.
        */
       std::string
       objection(const System::State &state) const override;

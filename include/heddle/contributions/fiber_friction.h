@@ -93,6 +93,10 @@ namespace Heddle
       void
       forget();
 
+      /** Whether fibers rub from now on; the same on all ranks. */
+      void
+      set_active(const bool yes);
+
       /** What is remembered, and the energies. */
       void
       save(ArchiveWriter &archive, const System::State &state) const override;
@@ -202,6 +206,8 @@ namespace Heddle
       const FrictionCoefficients        coefficients;
       Contact::FrictionMemory           memory;
       std::vector<Element>              elements;
+
+      bool active = true;
 
       /** That of contact from which they were made; 0: make them anew. */
       unsigned int placement = 0;

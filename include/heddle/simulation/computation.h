@@ -90,6 +90,7 @@ namespace Heddle
       Recorder::Place                                    place;
       double                                             stage_began    = 0.;
       double                                             stage_began_at = 0.;
+      unsigned int n_unstable_steps = 0; /**< of the stage */
     };
   } // namespace Simulation
 } // namespace Heddle

@@ -122,6 +122,14 @@ namespace Heddle
       lost_crossings() const;
 
       /**
+       * How much of a matrix of the linear law has turned so far that another
+       * one is right, or nothing.
+       * @note Collective.
+       */
+      std::string
+      turned_matrix() const;
+
+      /**
        * Which of the fibers that were given lie in each other, by more than
        * half a radius, or nothing. Those of a weave are not looked at.
        * @note Collective.
@@ -129,8 +137,8 @@ namespace Heddle
       std::string
       overlap_at_start() const;
 
-      /** What is to be said of measured fibers that end too early; or nothing.
-       */
+      /** What is to be said of fibers of a fabric that end too early; or
+       * nothing. */
       std::string
       short_fibers() const;
 

@@ -31,6 +31,10 @@ namespace Heddle
       double       increment         = 0.; /**< largest motion, in radii [-] */
       std::string  obstacle;               /**< why not converged, in words */
       bool         used_up = false; /**< all iterations that are allowed */
+
+      /** In equilibrium, but the tangent is not positive definite: a small
+       * disturbance leads elsewhere. Where nothing touches. */
+      bool unstable = false;
     };
 
     /**
@@ -53,6 +57,8 @@ namespace Heddle
      * where the energy stops falling. From a state that is far from equilibrium
      * rough terms begin soft and harden in steps whenever the forces balance
      * on average: each of these problems is nearly solved by the one before.
+     * An equilibrium that full steps have found and that is not stable is left
+     * for one that is, by steps as with rough terms from the start.
      */
     class Newton
     {
@@ -90,6 +96,9 @@ namespace Heddle
       }
 
     private:
+      /** Prescribed motion that is below round-off, in radii. */
+      static constexpr double reached = 1e-9;
+
       /** Create the linear system for these fields, if it is not there. */
       void
       begin(const System::State &state);
@@ -125,6 +134,18 @@ namespace Heddle
                const Contributions            &contributions,
                const System::BlockSystem::Want want =
                  System::BlockSystem::Want::residual_and_tangent);
+
+      /** Why what is in balance is no equilibrium, by the first term that
+       * objects, or nothing. */
+      std::string
+      first_objection(const System::State &state,
+                      const Contributions &contributions) const;
+
+      /** The step of all blocks that the system as assembled asks for. */
+      LinearResult
+      solve_linear_system(const bool         rough,
+                          const Aim          aim,
+                          System::Increment &increment);
 
       /** How soft rough terms are, from 1 to 0. */
       void
