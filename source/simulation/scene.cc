@@ -330,7 +330,7 @@ namespace Heddle
       std::ostringstream text;
       text << std::setprecision(2) << "Matrix/Law is linear, which takes turns "
            << "for strains: " << std::lround(100. * turns.part)
-           << " % of the matrix have turned by more than " << large
+           << " % of the matrix has turned by more than " << large
            << " rad, up to " << turns.largest << "; another law is right there";
       return text.str();
     }

@@ -183,7 +183,9 @@ namespace Heddle
             balanced && still ? first_objection(state, contributions) : "";
           if (balanced && still && result.obstacle.empty())
             {
-              if (linear.indefinite && !rough && !guarded)
+              // In a matrix fibers buckle in waves as short as hexahedra allow,
+              // all at once: that is told, and not followed.
+              if (linear.indefinite && !rough && !guarded && !state.matrix())
                 {
                   log << "  not stable: from the start, held back" << std::endl;
                   state.set(start);
