@@ -338,18 +338,26 @@ namespace Heddle
 
 
     std::string
-    Scene::overlap_at_start() const
+    Scene::deepest_overlap(const double allowed) const
     {
-      constexpr double much = 0.5;
       if (woven || !fiber_contact)
         return "";
       System::State start(*fiber_space);
       start.set(initial_blocks);
       start.accept();
       Contributions::FiberContact contact(*fiber_space, parameters.contact);
-      contact.set_threshold(much);
+      contact.set_threshold(allowed);
       contact.update(start);
-      const std::string deepest = contact.objection(start);
+      return contact.objection(start);
+    }
+
+
+
+    std::string
+    Scene::overlap_at_start() const
+    {
+      constexpr double  much    = 0.5;
+      const std::string deepest = deepest_overlap(much);
       return deepest.empty() ? ""
                              : "at the start there is a " + deepest +
                                  ", which contact has to undo; move fibers "
@@ -430,10 +438,9 @@ namespace Heddle
              parameters.settle.thresholds(parameters.contact.threshold).back()](
             const double) { contact->set_threshold(threshold); };
       if (!is_fabric() && fiber_friction)
-        stage.set_up = [friction = fiber_friction](const double load_factor) {
-          // What comes to rest at load factor 0, as fibers that overlap, has
-          // no way behind it.
-          friction->set_active(load_factor > 0.);
+        stage.set_up = [this](const double load_factor) {
+          // Fibers that are given in each other have no way behind them.
+          fiber_friction->set_active(load_factor > 0. || !begins_overlapping);
         };
       add_friction(stage);
       all_stages.push_back(stage);
@@ -462,6 +469,9 @@ namespace Heddle
           if (fiber_friction)
             fiber_friction->forget();
         }
+      begins_overlapping =
+        !is_fabric() && fiber_friction &&
+        !deepest_overlap(parameters.contact.threshold).empty();
       if (parameters.matrix.enabled && !composite)
         embed();
     }

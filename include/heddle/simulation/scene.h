@@ -194,6 +194,14 @@ namespace Heddle
       }
 
     private:
+      /**
+       * "penetration 0.6 of the radius ...", the deepest one of the fibers that
+       * were given if it is above @p allowed radii, or nothing.
+       * @note Collective.
+       */
+      std::string
+      deepest_overlap(const double allowed) const;
+
       void
       make_paths(const std::string &parameter_file);
 
@@ -256,6 +264,10 @@ namespace Heddle
       std::unique_ptr<Matrix>                         composite;
       std::vector<Contributions::FabricCase>          fabric_cases;
       std::vector<Stage>                              all_stages;
+
+      /** Whether fibers that were given lie deeper in each other than contact
+       * allows. */
+      bool begins_overlapping = false;
     };
   } // namespace Simulation
 } // namespace Heddle
