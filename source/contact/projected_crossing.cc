@@ -16,6 +16,10 @@ namespace Heddle
       /** Distance of the projections, over the radius, that counts as none. */
       constexpr double tolerance = 1e-10;
 
+      /** What places are off, over themselves: some last digits. */
+      constexpr double last_digits =
+        8. * std::numeric_limits<double>::epsilon();
+
 
 
       double
@@ -71,7 +75,9 @@ namespace Heddle
             const double       sine  = cross(on_a.tangent, on_b.tangent);
             if (std::abs(sine) < least_sine)
               return false;
-            if (std::hypot(apart[0], apart[1]) < tolerance * a.radius)
+            if (std::hypot(apart[0], apart[1]) <
+                std::max(tolerance * a.radius,
+                         last_digits * on_a.position.norm()))
               {
                 crossing.height = apart[2];
                 crossing.normal =

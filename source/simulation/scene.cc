@@ -5,21 +5,16 @@
 #include <heddle/contributions/section_damping.h>
 #include <heddle/contributions/supports.h>
 #include <heddle/post/bend.h>
-#include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/simulation/yarn_guides.h>
 #include <heddle/textile/check_paths.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <set>
-#include <sstream>
 
 namespace Heddle
 {
@@ -93,25 +88,6 @@ namespace Heddle
           if (is_fabric())
             measured = std::make_unique<Textile::MeasuredFabric>(paths, file);
         }
-    }
-
-
-
-    void
-    Scene::check_start() const
-    {
-      const auto weave = parameters.weave.description();
-      if (!woven || weave.start != Textile::Start::crimped ||
-          weave.crimp_factor > 0.)
-        return;
-
-      // The yarns are laid out so that all fibers are on their side: elements
-      // that are too long for them follow them only so far.
-      const std::string wrong = wrong_crossings();
-      require(wrong.empty(),
-              "Fiber/Elements per fiber: at the start " + wrong + ", since " +
-                std::to_string(parameters.fiber.elements_per_fiber) +
-                " elements are too few for the bends of a fiber; give more.");
     }
 
 
@@ -274,104 +250,6 @@ namespace Heddle
                      "bend (Fiber/Elements per fiber)";
       };
       all_stages.push_back(stage);
-    }
-
-
-
-    Post::CrossingCount
-    Scene::count_crossings() const
-    {
-      if (!woven)
-        return {};
-      // One rank knows all fibers, and all have to know what it says.
-      return Utilities::MPI::broadcast(
-        fiber_space->communicator(),
-        FabricReport(*configuration).crossings(*woven));
-    }
-
-
-
-    std::string
-    Scene::wrong_crossings() const
-    {
-      const Post::CrossingCount crossings = count_crossings();
-      if (crossings.wrong == 0)
-        return "";
-      return std::to_string(crossings.wrong) + " of " +
-             std::to_string(crossings.total) +
-             " crossings of fibers are not as the pattern wants them";
-    }
-
-
-
-    std::string
-    Scene::lost_crossings() const
-    {
-      const Post::CrossingCount crossings = count_crossings();
-      if (crossings.apart == 0)
-        return "";
-      return std::to_string(crossings.apart) + " of " +
-             std::to_string(crossings.total) +
-             " pairs of fibers do not cross though the pattern wants it";
-    }
-
-
-
-    std::string
-    Scene::turned_matrix() const
-    {
-      // Turned by an angle, material seems strained by half of its square.
-      constexpr double large = 0.15, much = 0.05;
-      if (!composite)
-        return "";
-      const auto turns = composite->elasticity()->turns(*configuration, large);
-      if (turns.part < much)
-        return "";
-      std::ostringstream text;
-      text << std::setprecision(2) << "Matrix/Law is linear, which takes turns "
-           << "for strains: " << std::lround(100. * turns.part)
-           << " % of the matrix has turned by more than " << large
-           << " rad, up to " << turns.largest << "; another law is right there";
-      return text.str();
-    }
-
-
-
-    std::string
-    Scene::deepest_overlap(const double allowed) const
-    {
-      if (woven || !fiber_contact)
-        return "";
-      System::State start(*fiber_space);
-      start.set(initial_blocks);
-      start.accept();
-      Contributions::FiberContact contact(*fiber_space, parameters.contact);
-      contact.set_threshold(allowed);
-      contact.update(start);
-      return contact.objection(start);
-    }
-
-
-
-    std::string
-    Scene::overlap_at_start() const
-    {
-      constexpr double  much    = 0.5;
-      const std::string deepest = deepest_overlap(much);
-      return deepest.empty() ? ""
-                             : "at the start there is a " + deepest +
-                                 ", which contact has to undo; move fibers "
-                                 "apart if it finds no equilibrium";
-    }
-
-
-
-    std::string
-    Scene::short_fibers() const
-    {
-      return measured ? measured->short_fibers()
-             : woven  ? woven->short_ends()
-                      : "";
     }
 
 
@@ -541,68 +419,6 @@ namespace Heddle
         names.insert(names.end(),
                      {"matrix elasticity", "fiber-matrix coupling"});
       return names;
-    }
-
-
-
-    MatrixEstimate
-    Scene::estimated_matrix() const
-    {
-      return parameters.matrix.enabled
-               ? MatrixEstimate(parameters.matrix, paths)
-               : MatrixEstimate();
-    }
-
-
-
-    bool
-    Scene::will_be_factorized(const double n_matrix_nodes) const
-    {
-      return parameters.linear_solver.direct(fiber_space->n_dofs() +
-                                               std::lround(3. * n_matrix_nodes),
-                                             fiber_contact != nullptr);
-    }
-
-
-
-    double
-    Scene::estimated_memory(const double n_matrix_nodes) const
-    {
-      // What every rank takes before there is a scene: libraries, buffers.
-      const double idle =
-        165e6 * Utilities::MPI::n_mpi_processes(fiber_space->communicator());
-
-      // Measured with 30 000 to 270 000 unknowns, and met to a fifth with
-      // conjugate gradients, see doc/benchmarks.md: elements, matrix, factors
-      // and vectors by unknowns; cells and what couples fibers by watched
-      // cells, of which there are about 16 for a node of a packed yarn. A
-      // sparse factorization takes far more.
-      const double n_dofs = fiber_space->n_dofs();
-      const double fibers =
-        will_be_factorized(n_matrix_nodes)
-          ? (fiber_friction ? 14e3 : 7e3) * n_dofs
-          : 0.88e3 * n_dofs +
-              (fiber_contact ? 16. * fiber_space->n_nodes() : 0.) *
-                (fiber_friction ? 1.16e3 : 0.47e3);
-
-      // Nodes of the matrix are coupled to those of the cells around them:
-      // blocks of 3 x 3.
-      const double per_node = parameters.matrix.degree == 1 ? 27. : 64.;
-      const double times    = will_be_factorized(n_matrix_nodes) ? 10. : 2.;
-      return idle + fibers +
-             times * n_matrix_nodes * per_node * 9. * sizeof(double);
-    }
-
-
-
-    double
-    Scene::estimated_seconds(const double n_matrix_nodes) const
-    {
-      // Measured with 6 000 to 380 000 unknowns on one rank, and met to a
-      // quarter.
-      const double n_dofs = fiber_space->n_dofs() + 3. * n_matrix_nodes;
-      return (will_be_factorized(n_matrix_nodes) ? 16e-6 : 4e-6) * n_dofs /
-             Utilities::MPI::n_mpi_processes(fiber_space->communicator());
     }
   } // namespace Simulation
 } // namespace Heddle
