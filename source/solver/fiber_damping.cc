@@ -101,9 +101,10 @@ namespace Heddle
 
 
 
-    template <typename Action>
+    template <typename Damping, typename Action>
     void
     FiberDamping::for_each_stiffness(const System::State &state,
+                                     const Damping       &damping,
                                      const Action        &action) const
     {
       const auto owned = space.owned_fibers();
@@ -111,7 +112,7 @@ namespace Heddle
         {
           const System::Fiber &fiber = space.fiber(f);
           const double         stiffness =
-            used(values[f - owned.first]) * fiber.section.axial /
+            damping(f - owned.first) * fiber.section.axial /
             (fiber.radius * fiber.radius) * fiber.length / fiber.n_nodes;
           for_each_block(
             state, f, [&](const unsigned int block, const double lever) {
@@ -127,7 +128,24 @@ namespace Heddle
                          const System::State &state) const
     {
       for_each_stiffness(
-        state, [&system](const unsigned int block, const double stiffness) {
+        state,
+        [this](const unsigned int k) { return used(values[k]); },
+        [&system](const unsigned int block, const double stiffness) {
+          system.add_diagonal(block, stiffness);
+        });
+    }
+
+
+
+    void
+    FiberDamping::add_to(System::BlockSystem &system,
+                         const System::State &state,
+                         const double         damping) const
+    {
+      for_each_stiffness(
+        state,
+        [damping](unsigned int) { return damping; },
+        [&system](const unsigned int block, const double stiffness) {
           system.add_diagonal(block, stiffness);
         });
     }
@@ -141,6 +159,7 @@ namespace Heddle
       double sum = 0.;
       for_each_stiffness(
         state,
+        [this](const unsigned int k) { return used(values[k]); },
         [&sum, &increment](const unsigned int block, const double stiffness) {
           sum += stiffness * increment[block].norm_square();
         });

@@ -70,6 +70,9 @@ namespace Heddle
       /** Iterations at rest, one after the other, to which a term objects. */
       constexpr unsigned int most_objections = 5;
 
+      /** Of motions that count as free, over what holds back entirely [-]. */
+      constexpr double least_stiffness = 1e-12;
+
       const std::string not_arrived =
         "supports do not get to where they are to be: contact, or elements of "
         "fibers or cells of the matrix that would turn inside out, allow short "
@@ -185,7 +188,9 @@ namespace Heddle
             {
               // In a matrix fibers buckle in waves as short as hexahedra allow,
               // all at once: that is told, and not followed.
-              if (linear.indefinite && !rough && !guarded && !state.matrix())
+              result.unstable = !rough && (guarded || linear.indefinite) &&
+                                is_unstable(state, contributions);
+              if (result.unstable && !guarded && !state.matrix())
                 {
                   log << "  not stable: from the start, held back" << std::endl;
                   state.set(start);
@@ -197,13 +202,6 @@ namespace Heddle
                 }
               for (const auto &contribution : contributions)
                 contribution->observe(*block_system);
-              if (guarded)
-                {
-                  // Without what holds it back.
-                  block_system->end();
-                  linear = linear_solver->solve(/*exactly=*/true);
-                }
-              result.unstable  = linear.indefinite && !rough;
               result.converged = true;
               return result;
             }
@@ -325,6 +323,22 @@ namespace Heddle
         if (objection.empty())
           objection = contribution->objection(state);
       return objection;
+    }
+
+
+
+    bool
+    Newton::is_unstable(System::State       &state,
+                        const Contributions &contributions)
+    {
+      // Motions that nothing resists, such as the turn of a fiber about the
+      // line through its ends, have pivots of round-off, of either sign.
+      assemble(state, contributions);
+      damping->add_to(*block_system, state, least_stiffness);
+      block_system->end();
+      const bool unstable = linear_solver->solve(/*exactly=*/true).indefinite;
+      assemble(state, contributions, System::BlockSystem::Want::residual);
+      return unstable;
     }
 
 

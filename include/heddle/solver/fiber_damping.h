@@ -37,6 +37,12 @@ namespace Heddle
       void
       add_to(System::BlockSystem &system, const System::State &state) const;
 
+      /** The same with one @p damping of all fibers [-]. */
+      void
+      add_to(System::BlockSystem &system,
+             const System::State &state,
+             const double         damping) const;
+
       /** Local part of @p increment . stiffness . @p increment [N mm]. */
       double
       curvature(const System::State     &state,
@@ -71,10 +77,12 @@ namespace Heddle
                      const unsigned int   f,
                      const Action        &action) const;
 
-      /** Call @p action(block, stiffness) for those of all owned fibers. */
-      template <typename Action>
+      /** Call @p action(block, stiffness) for those of all owned fibers, of
+       * which the k-th is held with @p damping(k). */
+      template <typename Damping, typename Action>
       void
       for_each_stiffness(const System::State &state,
+                         const Damping       &damping,
                          const Action        &action) const;
 
       const System::FiberSpace &space;

@@ -141,6 +141,11 @@ namespace Heddle
       first_objection(const System::State &state,
                       const Contributions &contributions) const;
 
+      /** Whether the tangent of what is in balance has negative eigenvalues.
+       * Leaves the residual assembled. */
+      bool
+      is_unstable(System::State &state, const Contributions &contributions);
+
       /** The step of all blocks that the system as assembled asks for. */
       LinearResult
       solve_linear_system(const bool         rough,
