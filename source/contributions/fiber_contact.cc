@@ -124,6 +124,7 @@ namespace Heddle
       cells.accept();
       accepted_cells  = cells.cells();
       accepted_active = 0.;
+      accepted_forces.clear();
     }
 
 
@@ -468,16 +469,48 @@ namespace Heddle
 
 
 
+    double
+    FiberContact::energy_of_hardening()
+    {
+      // From its force F_0 and penalty k_0 to F_1 and k_1 a pair is worked on
+      // by (F_0 + F_1)/2 (F_1/k_1 - F_0/k_0), as trapezoids count it. What its
+      // energy F^2/2k grows by beyond that is F_0 F_1 (1/k_0 - 1/k_1)/2: the
+      // energy at the end times (k_1/k_0 - 1) F_0/F_1.
+      double             sum = 0.;
+      std::vector<Force> forces;
+      auto               before = accepted_forces.begin();
+      for (auto element = contact_elements.begin();
+           element != contact_elements.end();)
+        {
+          Force  now     = {{element->fiber_a, element->fiber_b}, 0.};
+          double brought = 0.;
+          for (; element != contact_elements.end() &&
+                 element->fiber_a == now.first.first &&
+                 element->fiber_b == now.first.second;
+               ++element)
+            {
+              now.second += element->force;
+              brought +=
+                energy(*element) * (cells.cells()[element->cell].hardened - 1.);
+            }
+          while (before != accepted_forces.end() && before->first < now.first)
+            ++before;
+          if (now.second == 0. || !space.owns(now.first.first))
+            continue;
+          if (before != accepted_forces.end() && before->first == now.first)
+            sum += brought * before->second / now.second;
+          forces.push_back(now);
+        }
+      accepted_forces = forces;
+      return Utilities::MPI::sum(sum, space.communicator());
+    }
+
+
+
     void
     FiberContact::accept_step(const System::State &)
     {
-      // Between its penalties k_0 and k_1 a contact keeps about its force F:
-      // the integral of F^2/2k^2 is the energy at the end times k_1/k_0 - 1.
-      double sum = 0.;
-      for (const Contact::ContactElement &element : contact_elements)
-        if (space.owns(element.fiber_a))
-          sum += energy(element) * (cells.cells()[element.cell].hardened - 1.);
-      hardening += Utilities::MPI::sum(sum, space.communicator());
+      hardening += energy_of_hardening();
       cells.accept();
       accepted_cells     = cells.cells();
       accepted_active    = statistics.n_active;

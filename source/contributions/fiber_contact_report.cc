@@ -124,6 +124,16 @@ namespace Heddle
             forgiven.values.push_back(pair.second);
           }
       archive.write(name() + "/forgiven penetrations", forgiven);
+
+      Records forces;
+      forces.n_key_parts = 2;
+      for (const Force &force : accepted_forces)
+        {
+          forces.keys.insert(forces.keys.end(),
+                             {force.first.first, force.first.second});
+          forces.values.push_back(force.second);
+        }
+      archive.write(name() + "/forces", forces);
       archive.write_number(name() + "/hardening", hardening);
       archive.write_number(name() + "/largest mean force", largest_mean_force);
       archive.write_number(name() + "/active", accepted_active);
@@ -179,6 +189,21 @@ namespace Heddle
       cells.set_forgiven(penetrations);
       accepted_cells = cells.cells();
       fibers.forget_search();
+
+      // Older checkpoints do not have them: hardening counts from the next
+      // step.
+      accepted_forces.clear();
+      if (!archive.has(name() + "/forces"))
+        return;
+      const Records forces = archive.read_records(
+        name() + "/forces",
+        [this](const std::int64_t *key) { return space.owns(key[0]); });
+      for (std::size_t i = 0; i < forces.size(); ++i)
+        accepted_forces.push_back(
+          {{static_cast<unsigned int>(forces.key(i)[0]),
+            static_cast<unsigned int>(forces.key(i)[1])},
+           *forces.value(i)});
+      std::sort(accepted_forces.begin(), accepted_forces.end());
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -3,6 +3,9 @@
 // which d followed the penalty: the same factor again if d goes like its square
 // root, the largest one if d stays, the ratio itself if it goes like its
 // inverse. After an accepted step what was is forgotten.
+//
+// Then whether energy, less what growing has brought in, grows by the work of
+// the mean force in steps that multiply it.
 #include "../contact/contact_scene.h"
 #include "../tests.h"
 
@@ -29,6 +32,27 @@ public:
     scene.contact->adapt(scene.state);
     scene.forces();
     return penalty() / before;
+  }
+
+  /** Go to a penetration and end the step there. */
+  void
+  accept(const double penetration)
+  {
+    scene.set_path(1, line_at(2. - penetration), n_intervals);
+    scene.forces();
+    scene.contact->accept_step(scene.state);
+  }
+
+  double
+  force() const
+  {
+    return scene.force_on(1)[2];
+  }
+
+  double
+  hardening() const
+  {
+    return scene.reported("contact_hardening[N*mm]");
   }
 
   ContactScene scene;
@@ -72,5 +96,25 @@ main(int argc, char **argv)
       pair.scene.contact->accept_step(pair.scene.state);
       deallog << ", after an accepted step over the ratio "
               << pair.raise(0.011) / (0.011 / wanted) << std::endl;
+    }
+
+  for (const double factor : {1., 2., 8.})
+    {
+      const double first = 0.05;
+      Pair         pair;
+      pair.accept(first);
+      const double force  = pair.force();
+      const double energy = pair.scene.energy() - pair.hardening();
+
+      // At the second penetration the force is the factor times the first.
+      const double shift  = 0.25 * threshold;
+      const double growth = pair.raise(0.1);
+      const double second = shift + factor / growth * (first - shift);
+      pair.accept(second);
+      const double work = 0.5 * (force + pair.force()) * (second - first);
+      deallog << "force times " << pair.force() / force
+              << ": energy less what growth brought, over the work "
+              << (pair.scene.energy() - pair.hardening() - energy) / work
+              << std::endl;
     }
 }

@@ -222,6 +222,14 @@ namespace Heddle
       double
       energy(const Contact::ContactElement &element) const;
 
+      /**
+       * What penalties brought in by growing since the last accepted step, of
+       * which this is the end [N mm].
+       * @note Collective.
+       */
+      double
+      energy_of_hardening();
+
       /** Local blocks of the particles of an element and their weights. */
       void
       locate(const System::State            &state,
@@ -242,6 +250,13 @@ namespace Heddle
 
       /** Energy that penalties have brought by growing [N mm]. */
       double hardening = 0.;
+
+      /** Of two fibers, the smaller number first, on each other [N]. */
+      using Force = std::pair<std::pair<unsigned int, unsigned int>, double>;
+
+      /** At the last accepted step, of pairs of this rank that touch, sorted.
+       */
+      std::vector<Force> accepted_forces;
 
       /** Over the accepted steps of this stage [N]. */
       double largest_mean_force = 0.;
