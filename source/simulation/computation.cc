@@ -211,13 +211,16 @@ namespace Heddle
                 result.obstacle + (kink.empty() ? "" : "; " + kink);
               reject(stage);
               if (!steps.cut_back())
-                throw NotConverged(
-                  "No equilibrium in " + where + " after " +
-                  std::to_string(result.iterations) + " iterations" +
-                  (result.used_up ? ", as many as Newton/Maximum iterations "
-                                    "allows for a search"
-                                  : "") +
-                  ": " + why + ".");
+                {
+                  const std::string torsion = scene.missing_torsion();
+                  throw NotConverged(
+                    "No equilibrium in " + where + " after " +
+                    std::to_string(result.iterations) + " iterations" +
+                    (result.used_up ? ", as many as Newton/Maximum iterations "
+                                      "allows for a search"
+                                    : "") +
+                    ": " + why + (torsion.empty() ? "" : "; " + torsion) + ".");
+                }
               log << "  not converged: " << why << "; the step is halved"
                   << std::endl;
             }
@@ -240,6 +243,10 @@ namespace Heddle
       if (!lost.empty())
         log << "Note           " << lost
             << ": yarns have slipped off the ends of others" << std::endl;
+      const std::string imbalance = recorder.energy_balance().in_words();
+      if (!imbalance.empty())
+        log << "Note           of stage " << stage.name << ", " << imbalance
+            << std::endl;
       const std::string turned = scene.turned_matrix();
       if (!turned.empty())
         log << "Note           " << turned << std::endl;

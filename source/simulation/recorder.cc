@@ -18,6 +18,9 @@ namespace Heddle
   {
     namespace
     {
+      /** Beside what contributions report. */
+      const char *const energy_imbalance = "energy_imbalance[N*mm]";
+
       /** Name and unit of "name[unit]". */
       IO::History::Column
       split(const std::string &name_with_unit)
@@ -33,8 +36,11 @@ namespace Heddle
       std::vector<IO::History::Column>
       columns_of(Scene &scene)
       {
+        auto values = scene.report();
+        if (EnergyBalance::is_in(values))
+          values[energy_imbalance] = 0.;
         std::vector<IO::History::Column> columns;
-        for (const auto &value : scene.report())
+        for (const auto &value : values)
           columns.push_back(split(value.first));
         return columns;
       }
@@ -285,6 +291,15 @@ namespace Heddle
       stage.max_bend_ratio = values["max_bend_ratio[-]"];
       if (scene.weave())
         count_crossings(stage);
+      if (EnergyBalance::is_in(values))
+        {
+          if (scene.state().load_factor == 0. ||
+              !scene.stages()[place.stage].is_loaded)
+            balance.begin(values);
+          else
+            balance.add(values);
+          values[energy_imbalance] = balance.imbalance();
+        }
       add_to_history(place, result, values);
     }
 

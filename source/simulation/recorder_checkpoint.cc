@@ -98,6 +98,7 @@ namespace Heddle
         place.stepping = stepping[place.stage].get();
         stepping[place.stage]->load(archive);
         place.predictor.load(archive, scene.state());
+        balance.load(archive);
         for (const auto &contribution : stages[place.stage].contributions)
           contribution->load(archive, scene.state());
       };
@@ -192,6 +193,7 @@ namespace Heddle
         scene.matrix()->save(archive, scene.state());
       place.stepping->save(archive);
       place.predictor.save(archive, scene.state());
+      balance.save(archive);
       for (const auto &contribution : scene.stages()[place.stage].contributions)
         contribution->save(archive, scene.state());
       // The first rank alone knows of them.

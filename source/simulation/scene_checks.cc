@@ -1,6 +1,7 @@
 // Whether a scene is what it is meant to be: crossings, overlaps, and where its
 // model ends.
 #include <heddle/base/exceptions.h>
+#include <heddle/post/bend.h>
 #include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
@@ -118,6 +119,24 @@ namespace Heddle
                              : "at the start there is a " + deepest +
                                  ", which contact has to undo; move fibers "
                                  "apart if it finds no equilibrium";
+    }
+
+
+
+    std::string
+    Scene::missing_torsion() const
+    {
+      constexpr double straight = 1e-6;
+      if (parameters.fiber.element_name != "hermite" || woven ||
+          parameters.centerlines.straight_when_free)
+        return "";
+      System::State start(*fiber_space);
+      start.set(initial_blocks);
+      return Post::sharpest_bend(start).ratio < straight
+               ? ""
+               : "fibers are curved when free, and without torsion, as Fiber/"
+                 "Element = hermite has them, they bend into another plane for "
+                 "nothing: 'director' has torsion";
     }
 
 

@@ -70,6 +70,9 @@ namespace Heddle
       /** Iterations at rest, one after the other, to which a term objects. */
       constexpr unsigned int most_objections = 5;
 
+      /** Iterations after which a search without contact is held back. */
+      constexpr unsigned int most_unguarded = 30;
+
       /** Of motions that count as free, over what holds back entirely [-]. */
       constexpr double least_stiffness = 1e-12;
 
@@ -112,16 +115,24 @@ namespace Heddle
       System::Increment increment;
       unsigned int      adapted_at = 0, n_pending = 0, n_objections = 0;
 
-      // An equilibrium that is not stable is left for one that is: from the
-      // start on, held back as where fibers touch.
+      // An equilibrium that is not stable, or that is not in sight, is left for
+      // one that is found from the start on, held back as where fibers touch.
       const std::vector<Tensor<1, 3>> start   = state.current();
       bool                            guarded = false;
-      const Calm                     &calmness =
-        aim == Aim::calm ? before_friction : before_equilibrium;
+      unsigned int limit = state.load_factor == 0. ? parameters.max_at_zero
+                                                   : parameters.max_iterations;
+      const auto   begin_again = [&](const std::string &reason) {
+        log << "  " << reason << ": from the start, held back" << std::endl;
+        state.set(start);
+        for (const auto &contribution : contributions)
+          contribution->begin_step(state);
+        damping->reset(/*in_motion=*/true);
+        guarded = true;
+        limit += result.iterations;
+      };
 
-      const unsigned int limit = state.load_factor == 0.
-                                   ? parameters.max_at_zero
-                                   : parameters.max_iterations;
+      const Calm &calmness =
+        aim == Aim::calm ? before_friction : before_equilibrium;
       set_softness(contributions, 0.);
       damping->reset(/*in_motion=*/false);
       for (unsigned int iteration = 0;; ++iteration)
@@ -192,12 +203,7 @@ namespace Heddle
                                 is_unstable(state, contributions);
               if (result.unstable && !guarded && !state.matrix())
                 {
-                  log << "  not stable: from the start, held back" << std::endl;
-                  state.set(start);
-                  for (const auto &contribution : contributions)
-                    contribution->begin_step(state);
-                  damping->reset(/*in_motion=*/true);
-                  guarded = true;
+                  begin_again("not stable");
                   continue;
                 }
               for (const auto &contribution : contributions)
@@ -223,6 +229,15 @@ namespace Heddle
               else if (!still)
                 result.obstacle = "the fibers still move";
               return result;
+            }
+
+          // Without bounds Newton's method goes to and fro where a structure
+          // snaps through: held back, its energy falls.
+          if (iteration == most_unguarded && !rough && !guarded &&
+              !linear.unsymmetric && !state.matrix())
+            {
+              begin_again("no equilibrium in sight");
+              continue;
             }
 
           if (calm && softness > 0.)

@@ -27,8 +27,9 @@ namespace Heddle
                     given_iterations,
                     "Iterations after which a load step is given up; 0: 500 "
                     "for a weave, a measured fabric and centerlines that are "
-                    "straight when free, or before loads begin, 60 for others "
-                    "[-].",
+                    "straight when free, or before loads begin, 60 for others. "
+                    "As many again for fibers that are held back since they "
+                    "snap or buckle [-].",
                     prm,
                     Patterns::Integer(0));
       add_parameter("Damping",

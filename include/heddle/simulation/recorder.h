@@ -10,6 +10,7 @@
 #include <heddle/io/history.h>
 #include <heddle/io/matrix_output.h>
 #include <heddle/io/summary.h>
+#include <heddle/simulation/energy_balance.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/solver/predictor.h>
 
@@ -119,6 +120,13 @@ namespace Heddle
       void
       keep(const Place &place);
 
+      /** Of the last stage with loads. */
+      const EnergyBalance &
+      energy_balance() const
+      {
+        return balance;
+      }
+
       /** Write how it ended. */
       void
       finish(const IO::Summary::Status status, const std::string &reason);
@@ -193,6 +201,7 @@ namespace Heddle
       IO::Summary                        summary;
       IO::History                        history;
       IO::Checkpoint                     checkpoint;
+      EnergyBalance                      balance;
       std::unique_ptr<IO::FiberOutput>   fibers;
       std::unique_ptr<IO::ContactOutput> contacts;
       std::unique_ptr<IO::MatrixOutput>  matrix;

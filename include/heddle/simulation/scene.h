@@ -137,6 +137,13 @@ namespace Heddle
       std::string
       overlap_at_start() const;
 
+      /**
+       * Why nothing may keep the plane of a bend, or nothing if something does.
+       * @note Collective.
+       */
+      std::string
+      missing_torsion() const;
+
       /** What is to be said of fibers of a fabric that end too early; or
        * nothing. */
       std::string

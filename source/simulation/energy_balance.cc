@@ -1,0 +1,122 @@
+#include <heddle/simulation/energy_balance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** From this part of the work on it is worth a sentence [-]. */
+      constexpr double large = 0.05;
+
+      /** Work below this part of the energy says little of a fabric [-]. */
+      constexpr double little = 0.01;
+
+      const char *const external_work = "external_work[N*mm]";
+
+      /** Stored and dissipated, less what growing penalties brought [N mm]. */
+      double
+      energy_in(const EnergyBalance::Report &report)
+      {
+        const std::string unit = "_energy[N*mm]";
+        double            sum  = 0.;
+        for (const auto &entry : report)
+          {
+            const std::string &name = entry.first;
+            if (name == "contact_hardening[N*mm]")
+              sum -= entry.second;
+            else if (name == "friction_stored[N*mm]" ||
+                     name == "friction_dissipated[N*mm]" ||
+                     (name.size() > unit.size() &&
+                      name.compare(
+                        name.size() - unit.size(), unit.size(), unit) == 0))
+              sum += entry.second;
+          }
+        return sum;
+      }
+    } // namespace
+
+
+
+    bool
+    EnergyBalance::is_in(const Report &report)
+    {
+      return report.count(external_work) > 0;
+    }
+
+
+
+    void
+    EnergyBalance::begin(const Report &report)
+    {
+      energy = energy_in(report);
+      work   = report.at(external_work);
+      sum = path = 0.;
+      begun      = true;
+    }
+
+
+
+    void
+    EnergyBalance::add(const Report &report)
+    {
+      if (!begun)
+        return begin(report);
+      const double energy_before = energy, work_before = work;
+      energy = energy_in(report);
+      work   = report.at(external_work);
+      sum += energy - energy_before - (work - work_before);
+      path += std::abs(work - work_before);
+    }
+
+
+
+    std::string
+    EnergyBalance::in_words() const
+    {
+      if (std::abs(sum) <= large * std::max(path, little * std::abs(energy)))
+        return "";
+      std::ostringstream text;
+      text << std::setprecision(2) << 100. * std::abs(sum) / path
+           << " % of the work (" << std::abs(sum) << " N mm) ";
+      if (sum < 0.)
+        text << "is in no energy: fibers have snapped from one equilibrium to "
+                "another, or steps are too long";
+      else
+        text << "was not done by supports or loads, and is in the energies: "
+                "steps are too long";
+      text << " (history.csv, energy_imbalance)";
+      return text.str();
+    }
+
+
+
+    void
+    EnergyBalance::save(ArchiveWriter &archive) const
+    {
+      archive.write_number("energy balance/energy", energy);
+      archive.write_number("energy balance/work", work);
+      archive.write_number("energy balance/sum", sum);
+      archive.write_number("energy balance/path", path);
+    }
+
+
+
+    void
+    EnergyBalance::load(const ArchiveReader &archive)
+    {
+      begun = archive.has("energy balance/energy");
+      if (!begun)
+        return;
+      energy = archive.read_number("energy balance/energy");
+      work   = archive.read_number("energy balance/work");
+      sum    = archive.read_number("energy balance/sum");
+      path   = archive.read_number("energy balance/path");
+    }
+  } // namespace Simulation
+} // namespace Heddle
