@@ -196,21 +196,20 @@ namespace Heddle
 
 
 
-    double
-    FiberElasticity::largest_stiffness() const
+    void
+    FiberElasticity::raise_stiffness(System::NodeStiffness &stiffness) const
     {
       const bool has_sections = space.n_blocks_per_node() == 3;
-      double     largest      = 0.;
       const auto owned        = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
           const System::Fiber &fiber = space.fiber(f);
           const double         h     = fiber.length / (fiber.n_nodes - 1);
-          const double bending = has_sections ? 0. : fiber.section.bending;
-          largest              = std::max(
-            {largest, fiber.section.axial / h, 12. * bending / (h * h * h)});
+          const double bending   = has_sections ? 0. : fiber.section.bending;
+          stiffness.of_fibers[f] = std::max({stiffness.of_fibers[f],
+                                             fiber.section.axial / h,
+                                             12. * bending / (h * h * h)});
         }
-      return largest;
     }
 
 

@@ -100,13 +100,13 @@ namespace Heddle
 
 
 
-    double
-    FiberMatrixCoupling::largest_stiffness() const
+    void
+    FiberMatrixCoupling::raise_stiffness(System::NodeStiffness &stiffness) const
     {
-      double largest = 0.;
       for (const EmbeddedLink &embedded : links)
-        largest = std::max(largest, embedded.link.stiffness);
-      return largest;
+        for (double *of_node :
+             {&stiffness.of_fibers[embedded.fiber], &stiffness.of_matrix})
+          *of_node = std::max(*of_node, embedded.link.stiffness);
     }
 
 

@@ -87,9 +87,9 @@ namespace Heddle
       add_parameter("Ends",
                     ends,
                     "'hinged': sections at the ends of fibers are free to "
-                    "turn; 'clamped': they turn with their side, or not at "
-                    "all where none turns. Sides that are free have free "
-                    "sections [-].",
+                    "turn; 'clamped': they turn as the fabric shears along "
+                    "their yarns, or not at all where nothing turns. Sides "
+                    "that are free have free sections [-].",
                     prm,
                     Patterns::Selection("hinged|clamped"));
       add_parameter("Ramp",

@@ -55,6 +55,7 @@ namespace Heddle
                 "matrix; choose a larger \"Overlap depth\", finer fibers, or "
                 "other corners of the block.");
       counted.unlinked    = find_unlinked_part(own, state.space);
+      counted.n_outside   = count_outside();
       const Points points = exchange(own);
       add_to(state, points);
 
@@ -171,6 +172,11 @@ namespace Heddle
                 "a coupling element, and do not reinforce these: raise "
                 "Matrix/Coupling points per element, or choose longer cells or "
                 "more elements of fibers";
+      if (counted.n_outside > 0)
+        text << "\nNote           " << counted.n_outside << " of "
+             << axes.size()
+             << " fibers lie wholly outside of the matrix, which does not feel "
+                "them";
       return text.str();
     }
 
@@ -405,6 +411,23 @@ namespace Heddle
             unlinked += n_links[cell] == 0 ? piece.norm() : 0.;
           }
       return within > 0. ? unlinked / within : 0.;
+    }
+
+
+
+    unsigned int
+    Matrix::count_outside() const
+    {
+      const Textile::LayeredGrid &grid = mesh->grid();
+      return std::count_if(
+        axes.begin(), axes.end(), [&](const Textile::FiberAxis &axis) {
+          return std::none_of(axis.points.begin(),
+                              axis.points.end(),
+                              [&](const Tensor<1, 3> &point) {
+                                return grid.locate(point).cell !=
+                                       Textile::no_cell;
+                              });
+        });
     }
 
 

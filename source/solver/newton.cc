@@ -108,7 +108,7 @@ namespace Heddle
                   const System::Increment &guess)
     {
       begin(state);
-      find_negligible_force(state, contributions);
+      find_negligible_forces(state, contributions);
       const bool        guessed = follow(state, contributions, guess);
       NewtonResult      result;
       LinearResult      linear;

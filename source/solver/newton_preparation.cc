@@ -61,12 +61,14 @@ namespace Heddle
 
 
     void
-    Newton::find_negligible_force(const System::State &state,
-                                  const Contributions &contributions)
+    Newton::find_negligible_forces(const System::State &state,
+                                   const Contributions &contributions)
     {
-      double stiffest = 0., size = 0.;
+      negligible.of_fibers.assign(state.space.n_fibers(), 0.);
+      negligible.of_matrix = 0.;
       for (const auto &contribution : contributions)
-        stiffest = std::max(stiffest, contribution->largest_stiffness());
+        contribution->raise_stiffness(negligible);
+      double size = 0.;
       for (unsigned int b = 0; b < state.n_owned_fiber_blocks();
            b += state.space.n_blocks_per_node())
         size = std::max(size, state.current()[b].norm());
@@ -74,9 +76,11 @@ namespace Heddle
            b < state.n_owned_blocks();
            ++b)
         size = std::max(size, state.current()[b].norm());
-      negligible_force = last_digits *
-                         Utilities::MPI::max(stiffest, communicator) *
-                         Utilities::MPI::max(size, communicator);
+      const double last_digit =
+        last_digits * Utilities::MPI::max(size, communicator);
+      for (double &force : negligible.of_fibers)
+        force *= last_digit;
+      negligible.of_matrix *= last_digit;
     }
 
 
@@ -145,7 +149,7 @@ namespace Heddle
     Newton::judge(const Contributions &contributions) const
     {
       return Solver::judge(
-        *block_system, contributions, constraints, negligible_force);
+        *block_system, contributions, constraints, negligible);
     }
 
 
@@ -156,7 +160,7 @@ namespace Heddle
     {
       // No system is solved here: its pattern and tangent can wait.
       begin(state);
-      find_negligible_force(state, contributions);
+      find_negligible_forces(state, contributions);
       {
         SectionTimer::Scope scope(timer, "detection");
         update(state, contributions);

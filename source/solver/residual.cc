@@ -58,29 +58,36 @@ namespace Heddle
     judge(const System::BlockSystem             &system,
           const Contributions                   &contributions,
           const std::vector<System::Constraint> &constraints,
-          const double                           negligible)
+          const System::NodeStiffness           &negligible)
     {
       const System::State      &state = system.state;
       const System::FiberSpace &space = state.space;
       std::vector<Tensor<1, 3>> unbalanced;
       system.unbalanced(unbalanced);
 
-      std::array<double, 3> largest     = {};
+      std::array<double, 4> largest     = {};
       std::array<double, 2> sums        = {};
       const auto            of_position = [&](const unsigned int k) {
         sums[0] += unbalanced[k].norm_square();
         sums[1] += 1.;
       };
-      const auto of_block = [&](const unsigned int k, const double scale) {
-        largest[0] = std::max(largest[0], scale * size_of(unbalanced[k]));
+      const auto of_block = [&](const unsigned int k,
+                                const double       scale,
+                                const double       last_digits) {
+        const double force = scale * size_of(unbalanced[k]);
+        largest[0]         = std::max(largest[0], force);
         largest[1] =
           std::max(largest[1], scale * size_of(system.residual()[k]));
+        if (force > last_digits)
+          largest[3] = std::max(largest[3], force);
       };
       for_each_fiber_block(state,
                            [&](const unsigned int k,
+                               const unsigned int f,
                                const unsigned int,
-                               const unsigned int,
-                               const double scale) { of_block(k, scale); });
+                               const double scale) {
+                             of_block(k, scale, negligible.of_fibers[f]);
+                           });
       for (unsigned int k = 0; k < state.n_owned_fiber_blocks();
            k += space.n_blocks_per_node())
         of_position(k);
@@ -89,7 +96,7 @@ namespace Heddle
            ++k)
         {
           of_position(k);
-          of_block(k, 1.);
+          of_block(k, 1., negligible.of_matrix);
           largest[2] = std::max(largest[2], size_of(unbalanced[k]));
         }
       max_over_ranks(largest, space.communicator());
@@ -103,9 +110,9 @@ namespace Heddle
 
       Residual residual;
       residual.largest_force = largest[0];
-      if (largest[0] > negligible)
+      if (largest[3] > 0.)
         {
-          residual.ratio        = largest[0] / typical;
+          residual.ratio        = largest[3] / typical;
           residual.matrix_ratio = largest[2] / typical;
           residual.mean_ratio   = std::sqrt(sums[0] / sums[1]) / typical;
         }

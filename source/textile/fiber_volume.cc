@@ -22,7 +22,7 @@ namespace Heddle
                         const double       turn)
       {
         const double golden_angle = numbers::PI * (3. - std::sqrt(5.));
-        const double radius       = n == 1 ? 0. : std::sqrt((k + 0.5) / n);
+        const double radius       = std::sqrt((k + 0.5) / n);
         return {radius * std::cos(k * golden_angle + turn),
                 radius * std::sin(k * golden_angle + turn),
                 std::fmod((k + 0.5) * numbers::SQRT2, 1.)};
@@ -30,6 +30,9 @@ namespace Heddle
 
 
 
+      /** A fiber at a face of the mesh lies in it with a part of its section,
+       * which fewer points do not tell, however thin it is. */
+      constexpr double least_points = 16.;
     } // namespace
 
 
@@ -41,9 +44,10 @@ namespace Heddle
       const double spacing = 0.25 * std::cbrt(mesh.volume() / volumes.size());
       for (const FiberAxis &fiber : fibers)
         {
-          const double       ratio    = 2. * fiber.radius / spacing;
-          const unsigned int n_across = std::max(1., std::ceil(ratio * ratio));
-          unsigned int       turn     = 0;
+          const double       ratio = 2. * fiber.radius / spacing;
+          const unsigned int n_across =
+            std::max(least_points, std::ceil(ratio * ratio));
+          unsigned int turn = 0;
           for (unsigned int i = 0; i + 1 < fiber.points.size(); ++i)
             {
               const Tensor<1, 3> piece  = fiber.points[i + 1] - fiber.points[i];

@@ -1,6 +1,6 @@
 #include <heddle/base/exceptions.h>
-#include <heddle/textile/extent.h>
 #include <heddle/textile/fabric_envelope.h>
+#include <heddle/textile/fabric_reach.h>
 #include <heddle/textile/matrix_grid.h>
 
 #include <algorithm>
@@ -41,60 +41,6 @@ namespace Heddle
 
 
 
-      /** What holds all points of all fibers along axis @p d. */
-      Extent
-      extent_of(const std::vector<FiberAxis> &fibers, const unsigned int d)
-      {
-        Extent extent;
-        for (const FiberAxis &fiber : fibers)
-          for (const Tensor<1, 3> &point : fiber.points)
-            extent.add(point[d]);
-        return extent;
-      }
-
-
-
-      /** One that runs along z lies across both axes of the rectangle. */
-      bool
-      runs_along(const YarnBody &body, const unsigned int d)
-      {
-        const Tensor<1, 3> chord = body.end(1) - body.end(0);
-        return std::abs(chord[d]) >= std::abs(chord[1 - d]) &&
-               std::abs(chord[d]) >= std::abs(chord[2]);
-      }
-
-
-
-      /** Extent of the rectangle along axis @p d, without margin. */
-      Extent
-      reach_along(const std::vector<FiberAxis> &fibers,
-                  const std::vector<YarnBody>  &bodies,
-                  const unsigned int            d)
-      {
-        Extent across, common;
-        std::swap(common.low, common.high);
-        bool some_along = false;
-        for (const YarnBody &body : bodies)
-          if (runs_along(body, d))
-            {
-              some_along     = true;
-              const double a = body.end(0)[d], b = body.end(1)[d];
-              common.low  = std::max(common.low, std::min(a, b));
-              common.high = std::min(common.high, std::max(a, b));
-            }
-          else
-            {
-              across.add(body.box().lower_bound(d));
-              across.add(body.box().upper_bound(d));
-            }
-        if (!some_along)
-          return extent_of(fibers, d);
-        return {std::min(common.low, across.low),
-                std::max(common.high, across.high)};
-      }
-
-
-
       void
       check_numbers(const MatrixMeshDescription &description,
                     const std::string           &where)
@@ -126,7 +72,6 @@ namespace Heddle
       ColumnGrid
       rectangle_of(const MatrixMeshDescription  &description,
                    const std::vector<FiberAxis> &fibers,
-                   const std::vector<YarnBody>  &bodies,
                    const std::string            &where)
       {
         ColumnGrid columns;
@@ -138,7 +83,7 @@ namespace Heddle
             }
           else
             {
-              const Extent reach = reach_along(fibers, bodies, d);
+              const Extent reach = reach_along(fibers, d);
               columns.low[d]     = reach.low - description.margins[d];
               columns.high[d]    = reach.high + description.margins[d];
               require(columns.low[d] < columns.high[d],
@@ -210,12 +155,9 @@ namespace Heddle
         Extent height{description.low_corner[2], description.high_corner[2]};
         if (!has_corners(description))
           {
-            double radius = 0.;
-            for (const FiberAxis &fiber : fibers)
-              radius = std::max(radius, fiber.radius);
             height = extent_of(fibers, 2);
-            height.low -= radius + description.coating_thickness;
-            height.high += radius + description.coating_thickness;
+            height.low -= description.coating_thickness;
+            height.high += description.coating_thickness;
           }
         return {std::vector<double>(columns.n_corners(), height.low),
                 std::vector<double>(columns.n_corners(), height.high)};
@@ -318,7 +260,7 @@ namespace Heddle
     {
       require(!fibers.empty(), where + ": there are no fibers to embed.");
       check_numbers(description, where);
-      ColumnGrid columns = rectangle_of(description, fibers, bodies, where);
+      ColumnGrid columns = rectangle_of(description, fibers, where);
       if (has_corners(description))
         for (unsigned int d = 0; d < 3; ++d)
           require(description.low_corner[d] < description.high_corner[d],

@@ -50,8 +50,8 @@ namespace Heddle
        * E A / h along a fiber, and across it, where sections stay normal to the
        * axis, 12 E I / h^3, with the distance h of nodes.
        */
-      double
-      largest_stiffness() const override;
+      void
+      raise_stiffness(System::NodeStiffness &stiffness) const override;
 
       /** No two nodes next to each other pass by each other. */
       double

@@ -78,8 +78,8 @@ namespace Heddle
       assemble(const System::State &state,
                System::BlockSystem &system) override;
 
-      double
-      largest_stiffness() const override;
+      void
+      raise_stiffness(System::NodeStiffness &stiffness) const override;
 
       void
       report(const System::State           &state,

@@ -57,10 +57,10 @@ namespace Heddle
       largest_step(const System::State     &state,
                    const System::Increment &increment) const override;
 
-      double
-      largest_stiffness() const override
+      void
+      raise_stiffness(System::NodeStiffness &stiffness) const override
       {
-        return stiffest;
+        stiffness.of_matrix = std::max(stiffness.of_matrix, stiffest);
       }
 
       void

@@ -38,6 +38,9 @@ namespace Heddle
 
         /** Part of the fibers' length that lies in cells without links [-]. */
         double unlinked = 0.;
+
+        /** Fibers no point of which is where cells are or were left out. */
+        unsigned int n_outside = 0;
       };
 
       /**
@@ -129,6 +132,10 @@ namespace Heddle
       double
       find_unlinked_part(const Points             &own,
                          const System::FiberSpace &space) const;
+
+      /** See Sizes::n_outside. */
+      unsigned int
+      count_outside() const;
 
       /** Volume of fibers in each cell, over that of the cell. */
       std::vector<double>

@@ -103,10 +103,10 @@ namespace Heddle
       void
       begin(const System::State &state);
 
-      /** Below it, forces are the last digits of positions. */
+      /** Below them, forces are the last digits of positions. */
       void
-      find_negligible_force(const System::State &state,
-                            const Contributions &contributions);
+      find_negligible_forces(const System::State &state,
+                             const Contributions &contributions);
 
       /**
        * Go along @p guess in parts that all terms allow, as far as it is
@@ -210,7 +210,9 @@ namespace Heddle
       std::vector<System::Constraint>      constraints;
       double                               softness     = 0.;
       double                               length_scale = 1.;
-      double negligible_force = 0.; /**< below are last digits [N] */
+
+      /** Forces on nodes below these are last digits [N]. */
+      System::NodeStiffness negligible;
     };
   } // namespace Solver
 } // namespace Heddle

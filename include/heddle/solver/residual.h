@@ -23,15 +23,15 @@ namespace Heddle
     };
 
     /**
-     * Judge what was assembled into @p system. Forces below @p negligible [N]
-     * count as none.
+     * Judge what was assembled into @p system. Forces on a node below those of
+     * @p negligible [N] count as none.
      * @note Collective, like the functions below.
      */
     Residual
     judge(const System::BlockSystem             &system,
           const Contributions                   &contributions,
           const std::vector<System::Constraint> &constraints,
-          const double                           negligible);
+          const System::NodeStiffness           &negligible);
 
     /** Largest motion that is prescribed and not yet done [mm]. */
     double

@@ -19,6 +19,16 @@ namespace Heddle
     using Increment = std::vector<Tensor<1, 3>>;
 
     /**
+     * What a node resists at most [N/mm]: its position has no digits for forces
+     * below that times the last one.
+     */
+    struct NodeStiffness
+    {
+      std::vector<double> of_fibers; /**< of nodes of a fiber, by number */
+      double              of_matrix = 0.;
+    };
+
+    /**
      * One physical term of the equilibrium. A scene is the list of its
      * contributions: what is not in the list costs nothing. The solver knows
      * this interface and nothing else of the physics.
@@ -121,14 +131,10 @@ namespace Heddle
         return std::numeric_limits<double>::max();
       }
 
-      /**
-       * What a node resists at most [N/mm]: positions have no digits for forces
-       * below that times their last one. Local; 0 if others resist more.
-       */
-      virtual double
-      largest_stiffness() const
+      /** Raise @p stiffness to what this term makes nodes resist. Local. */
+      virtual void
+      raise_stiffness(NodeStiffness &) const
       {
-        return 0.;
       }
 
       /**
