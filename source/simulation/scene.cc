@@ -259,9 +259,8 @@ namespace Heddle
     {
       if (measured)
         {
-          const auto n       = measured->n_yarns();
-          const auto spacing = measured->spacing();
-          return {{{n[0] * spacing[0], n[1] * spacing[1]}}, {{n[0], n[1]}}};
+          const auto n = measured->n_yarns();
+          return {measured->width(), {{n[0], n[1]}}};
         }
       const Textile::WeaveDescription weave = parameters.weave.description();
       return {{{weave.warp.n_yarns * woven->warp_spacing(),

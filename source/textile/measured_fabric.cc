@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/textile/extent.h>
 #include <heddle/textile/measured_fabric.h>
 
 #include <algorithm>
@@ -16,6 +17,10 @@ namespace Heddle
 
       /** Of a yarn's length, that a fiber should not lack at an end [-]. */
       constexpr double large_part = 0.1;
+
+      /** Yarns that are closer than this, over their width, lie over each other
+       * and not side by side [-]. */
+      constexpr double stacked = 0.5;
 
       /** 0 for the warp, which runs along x, 1 for the weft, along y. */
       unsigned int
@@ -44,13 +49,14 @@ namespace Heddle
       : name(name)
     {
       /** Sum of the places of fibers across their yarn, their number, and from
-       * where to where they reach along it. */
+       * where to where they reach across and along it. */
       struct Sum
       {
         double       places   = 0.;
         unsigned int n_fibers = 0;
-        double       begin    = std::numeric_limits<double>::max();
-        double       end      = -std::numeric_limits<double>::max();
+        Extent       across;
+        double       begin = std::numeric_limits<double>::max();
+        double       end   = -std::numeric_limits<double>::max();
       };
       std::array<std::map<unsigned int, Sum>, 2> yarns;
       for (unsigned int f = 0; f < paths.size(); ++f)
@@ -61,8 +67,11 @@ namespace Heddle
             name + ": fiber " + std::to_string(f) + " (counted from 0)");
           if (points.back()[d] < points.front()[d])
             std::reverse(points.begin(), points.end());
-          Sum &sum = yarns[d][paths[f].yarn_id];
-          sum.places += points[points.size() / 2][1 - d];
+          Sum         &sum   = yarns[d][paths[f].yarn_id];
+          const double place = points[points.size() / 2][1 - d];
+          sum.places += place;
+          sum.across.add(place - paths[f].radius);
+          sum.across.add(place + paths[f].radius);
           ++sum.n_fibers;
           sum.begin = std::min(sum.begin, points.front()[d]);
           sum.end   = std::max(sum.end, points.back()[d]);
@@ -83,8 +92,10 @@ namespace Heddle
                     ", which a measured fabric has; load it as "
                     "'centerlines' by supports.");
           for (const auto &yarn : yarns[d])
-            places[d].push_back(yarn.second.places / yarn.second.n_fibers);
-          std::sort(places[d].begin(), places[d].end());
+            yarns_of[d].push_back(
+              {yarn.second.places / yarn.second.n_fibers,
+               yarn.second.across.high - yarn.second.across.low});
+          std::sort(yarns_of[d].begin(), yarns_of[d].end());
         }
     }
 
@@ -112,24 +123,38 @@ namespace Heddle
     std::array<unsigned int, 2>
     MeasuredFabric::n_yarns() const
     {
-      return {{static_cast<unsigned int>(places[0].size()),
-               static_cast<unsigned int>(places[1].size())}};
+      return {{static_cast<unsigned int>(yarns_of[0].size()),
+               static_cast<unsigned int>(yarns_of[1].size())}};
     }
 
 
 
     std::array<double, 2>
-    MeasuredFabric::spacing() const
+    MeasuredFabric::width() const
     {
       std::array<double, 2> result;
       for (unsigned int d = 0; d < 2; ++d)
         {
-          require(places[d].size() > 1,
-                  name + ": there is a single yarn of the " + sets[d] +
+          unsigned int n_columns = 1;
+          double       first = yarns_of[d].front().first, last = first;
+          for (unsigned int i = 1; i < yarns_of[d].size(); ++i)
+            {
+              const auto  &yarn = yarns_of[d][i], &before = yarns_of[d][i - 1];
+              const double mean_width = 0.5 * (before.second + yarn.second);
+              if (yarn.first - before.first > stacked * mean_width)
+                {
+                  ++n_columns;
+                  last = yarn.first;
+                }
+            }
+          require(n_columns > 1,
+                  name + ": there is " +
+                    (yarns_of[d].size() == 1 ? "a single yarn"
+                                             : "a single stack of yarns") +
+                    " of the " + sets[d] +
                     ", so that the width of the fabric is not known; give "
                     "two or more, or load it as 'centerlines' by supports.");
-          result[d] =
-            (places[d].back() - places[d].front()) / (places[d].size() - 1);
+          result[d] = n_columns * (last - first) / (n_columns - 1);
         }
       return result;
     }

@@ -30,7 +30,7 @@ namespace Heddle
     struct FabricSize
     {
       FabricMotion::Both<double>       width;   /**< across them [mm] */
-      FabricMotion::Both<unsigned int> n_yarns; /**< side by side */
+      FabricMotion::Both<unsigned int> n_yarns; /**< of all layers */
     };
 
 

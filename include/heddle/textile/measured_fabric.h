@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Heddle
@@ -32,11 +33,13 @@ namespace Heddle
       n_yarns() const;
 
       /**
-       * Distance of the axes of neighbouring yarns of the warp and of the weft,
-       * in the mean [mm]. Throws InputError if there is only one of either.
+       * How wide the fabric is across the warp and across the weft: the number
+       * of yarns side by side times their mean distance [mm]. Yarns of several
+       * layers that lie over each other count once. Throws InputError if there
+       * are no two side by side.
        */
       std::array<double, 2>
-      spacing() const;
+      width() const;
 
       /**
        * A sentence about fibers that end far from the ends of their yarn, such
@@ -51,8 +54,9 @@ namespace Heddle
       /** Numbers of fibers that end far from the ends of their yarn. */
       std::vector<unsigned int> short_ones;
 
-      /** Where the middles of the yarns lie across them, in order [mm]. */
-      std::array<std::vector<double>, 2> places;
+      /** Where the middles of the yarns lie across them, in order, and how wide
+       * the yarns are there [mm]. */
+      std::array<std::vector<std::pair<double, double>>, 2> yarns_of;
     };
   } // namespace Textile
 } // namespace Heddle
