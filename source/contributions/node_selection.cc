@@ -6,6 +6,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -15,6 +16,34 @@ namespace Heddle
   {
     namespace
     {
+      /** The words that stand for each fiber alone or with others of its yarn
+       * or set. */
+      std::vector<std::set<std::string>>
+      names_of_fibers(const System::FiberSpace &space)
+      {
+        std::map<std::string, std::set<unsigned int>> yarns_of_set;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          if (space.fiber(f).yarn_id != numbers::invalid_unsigned_int)
+            yarns_of_set[space.fiber(f).set].insert(space.fiber(f).yarn_id);
+
+        std::vector<std::set<std::string>> names;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          {
+            const System::Fiber &fiber = space.fiber(f);
+            names.push_back({"all", fiber.set, std::to_string(f)});
+            if (fiber.yarn_id == numbers::invalid_unsigned_int)
+              continue;
+            names[f].insert("yarn " + std::to_string(fiber.yarn_id));
+            const auto &yarns = yarns_of_set[fiber.set];
+            names[f].insert(fiber.set + ' ' +
+                            std::to_string(std::distance(
+                              yarns.begin(), yarns.find(fiber.yarn_id))));
+          }
+        return names;
+      }
+
+
+
       /** Say which words would have been understood as fibers. */
       [[noreturn]] void
       complain_about_fibers(const System::FiberSpace &space,
@@ -22,8 +51,13 @@ namespace Heddle
                             const std::string        &where)
       {
         std::set<std::string> sets;
+        bool                  has_yarns = false;
         for (unsigned int f = 0; f < space.n_fibers(); ++f)
-          sets.insert(space.fiber(f).set);
+          {
+            sets.insert(space.fiber(f).set);
+            has_yarns = has_yarns ||
+                        space.fiber(f).yarn_id != numbers::invalid_unsigned_int;
+          }
         std::string names;
         for (const std::string &set : sets)
           if (!set.empty())
@@ -32,7 +66,10 @@ namespace Heddle
           where + ": \"Fibers\" names \"" + word +
           "\", which is no fiber; there are the numbers 0 to " +
           std::to_string(space.n_fibers() - 1) +
-          (names.empty() ? ", and no sets." : ", and the sets" + names + "."));
+          (names.empty() ? ", and no sets" : ", and the sets" + names) +
+          (has_yarns ? "; \"yarn 0\", or \"" + *sets.rbegin() +
+                         " 0\", are names of yarns."
+                     : "."));
       }
     } // namespace
 
@@ -41,12 +78,17 @@ namespace Heddle
     void
     NodeSelection::add_parameters(ParameterAcceptor &owner)
     {
-      owner.add_parameter("Fibers",
-                          fibers,
-                          "'all', 'none', or a list of names of sets ('warp', "
-                          "or those "
-                          "of the file of centerlines) and of numbers of "
-                          "fibers, from 0, in the order of the file [-].");
+      owner.add_parameter(
+        "Fibers",
+        fibers,
+        "'all', 'none', or a list of names of sets ('warp', "
+        "or those of the file of centerlines), of their yarns "
+        "('warp 0' is the first one), of yarns by their number "
+        "in 'yarns.csv' ('yarn 3'), and of numbers of fibers, "
+        "from 0, in the order of the file. In a weave warp and "
+        "weft yarns take turns: fibers of the first warp yarn, "
+        "of the first weft yarn, of the second warp yarn... "
+        "[-].");
       owner.add_parameter(
         "Nodes",
         nodes,
@@ -75,12 +117,12 @@ namespace Heddle
       std::set<unsigned int> found;
       if (fibers == "none")
         return {};
+      const auto names = names_of_fibers(space);
       for (const std::string &word : Utilities::split_string_list(fibers))
         {
           bool known = false;
           for (unsigned int f = 0; f < space.n_fibers(); ++f)
-            if (word == "all" || word == space.fiber(f).set ||
-                word == std::to_string(f))
+            if (names[f].count(word) > 0)
               {
                 found.insert(f);
                 known = true;

@@ -16,6 +16,12 @@ namespace Heddle
     {
       /** Fresh searches after which a step is given up. */
       constexpr unsigned int n_searches = 4;
+
+      /** Why a fabric may find no equilibrium before anything moves. */
+      const char *const loose_ends =
+        "at load factor 0 the guides and the tension of the initial "
+        "configuration are gone, and yarns shrink and slip whose ends no "
+        "support holds: hold or load these, or set Restart/Stress free";
     } // namespace
 
 
@@ -205,6 +211,8 @@ namespace Heddle
             }
           else
             {
+              const bool to_zero = scene.is_fabric() && stage.is_loaded &&
+                                   scene.state().load_factor == 0.;
               const std::string where = place_in_words();
               const std::string kink  = kink_in_words();
               const std::string why =
@@ -212,14 +220,15 @@ namespace Heddle
               reject(stage);
               if (!steps.cut_back())
                 {
-                  const std::string torsion = scene.missing_torsion();
+                  const std::string advice =
+                    to_zero ? loose_ends : scene.missing_torsion();
                   throw NotConverged(
                     "No equilibrium in " + where + " after " +
                     std::to_string(result.iterations) + " iterations" +
                     (result.used_up ? ", as many as Newton/Maximum iterations "
                                       "allows for a search"
                                     : "") +
-                    ": " + why + (torsion.empty() ? "" : "; " + torsion) + ".");
+                    ": " + why + (advice.empty() ? "" : "; " + advice) + ".");
                 }
               log << "  not converged: " << why << "; the step is halved"
                   << std::endl;

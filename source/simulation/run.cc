@@ -160,8 +160,8 @@ namespace Heddle
               << " cells, " << std::lround(matrix.n_nodes) << " nodes, "
               << std::lround(3. * matrix.n_nodes)
               << " unknowns, around the fibers where they start\n";
-        if (!scene.short_fibers().empty())
-          log << "Note           " << scene.short_fibers() << '\n';
+        for (const std::string &note : scene.notes())
+          log << "Note           " << note << '\n';
         log << "Contributions  ";
         if (scene.stages().empty())
           {

@@ -141,12 +141,15 @@ namespace Heddle
 
 
 
-    std::string
-    Scene::short_fibers() const
+    std::vector<std::string>
+    Scene::notes() const
     {
-      return measured ? measured->short_fibers()
-             : woven  ? woven->short_ends()
-                      : "";
+      std::vector<std::string> result;
+      if (woven)
+        result = woven->notes();
+      if (measured && !measured->short_fibers().empty())
+        result.push_back(measured->short_fibers());
+      return result;
     }
   } // namespace Simulation
 } // namespace Heddle

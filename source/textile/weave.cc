@@ -77,7 +77,7 @@ namespace Heddle
         }
       for (const Direction direction : {warp, weft})
         {
-          const Direction crossed = direction == warp ? weft : warp;
+          const Direction crossed = other(direction);
           lengths[direction] =
             (family(crossed).n_yarns - 1 + 2. * description.end_length) *
             spacings[crossed];
@@ -102,7 +102,7 @@ namespace Heddle
     YarnAxis
     Weave::axis(const Direction direction, const unsigned int i) const
     {
-      const Direction   crossed = direction == warp ? weft : warp;
+      const Direction   crossed = other(direction);
       std::vector<bool> on_top;
       if (direction == warp)
         for (unsigned int j = 0; j < pattern.n_weft(); ++j)

@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace Heddle
 {
@@ -88,28 +86,6 @@ namespace Heddle
           }
       return smallest_distance(lines[warp], lines[weft], 2. * needed, needed) >=
              needed;
-    }
-
-
-
-    std::string
-    Weave::short_ends() const
-    {
-      for (const Direction crossed : {warp, weft})
-        {
-          const double half = 0.5 * sections[crossed].width;
-          if (description.end_length * spacings[crossed] >= half)
-            continue;
-          std::ostringstream text;
-          text << std::setprecision(3) << "Weave/End length is "
-               << description.end_length << ": yarns end within the last "
-               << (crossed == warp ? "warp" : "weft")
-               << " yarns that they cross, and their fibers may slip off; "
-                  "these need "
-               << half / spacings[crossed] << ", better 1";
-          return text.str();
-        }
-      return "";
     }
 
 

@@ -90,8 +90,9 @@ namespace Heddle
       add_parameter("Twist",
                     entries.yarns.twist,
                     "Turns of the fibers about the axis of their yarn per "
-                    "length of the fabric; negative for the other sense. The "
-                    "packing spacing must leave room for it [1/mm].",
+                    "length of the fabric, right-handed (Z); negative: "
+                    "left-handed (S). The packing spacing must leave room for "
+                    "it [1/mm].",
                     prm,
                     Patterns::Double());
       add_parameter("Yarn spacing",

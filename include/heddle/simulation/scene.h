@@ -144,10 +144,9 @@ namespace Heddle
       std::string
       missing_torsion() const;
 
-      /** What is to be said of fibers of a fabric that end too early; or
-       * nothing. */
-      std::string
-      short_fibers() const;
+      /** What is to be said of a fabric as it is described. */
+      std::vector<std::string>
+      notes() const;
 
       /**
        * What all contributions report, by name with unit. Of several of the

@@ -101,12 +101,10 @@ namespace Heddle
       bool
       is_clear() const;
 
-      /**
-       * "Weave/End length is ...", if yarns end within the last ones that they
-       * cross, off which their fibers slip, or nothing.
-       */
-      std::string
-      short_ends() const;
+      /** What is to be said of yarns that slip off, begin in each other, or are
+       * held by none. */
+      std::vector<std::string>
+      notes() const;
 
     private:
       enum Direction
@@ -115,11 +113,30 @@ namespace Heddle
         weft = 1
       };
 
+      static Direction
+      other(const Direction direction)
+      {
+        return direction == warp ? weft : warp;
+      }
+
       const YarnFamily &
       family(const Direction direction) const
       {
         return direction == warp ? description.warp : description.weft;
       }
+
+      /** Of yarns that end within the last ones that they cross, off which
+       * their fibers slip, or nothing, like those below. */
+      std::string
+      short_ends() const;
+
+      /** Of yarns that are wider than they are apart. */
+      std::string
+      wide_yarns() const;
+
+      /** Of a yarn that lies on the same side of all others. */
+      std::string
+      loose_yarn() const;
 
       /** Refuse what is larger than any fabric. */
       void
