@@ -71,6 +71,7 @@ namespace Heddle
       add_parameter("Sides",
                     sides,
                     "What the two other sides do: 'held' keeps their distance, "
+                    "while the yarns that end there may slide along the pull, "
                     "'free' leaves them free in the plane, for which there "
                     "must be friction or a matrix. Both keep their height. "
                     "Inactive unless 'Kind' is 'uniaxial tension' [-].",

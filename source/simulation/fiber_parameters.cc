@@ -52,13 +52,14 @@ namespace Heddle
       add_parameter(
         "Axial stiffness",
         axial_stiffness,
-        "E A, in place of that of the circle; 0: of the circle [N].",
+        "E A of all fibers, in place of that of the circle; 0: of the "
+        "circle [N].",
         prm,
         Patterns::Double(0.));
       add_parameter("Bending stiffness",
                     bending_stiffness,
-                    "E I, in place of that of the circle; 0: of the circle "
-                    "[N mm^2].",
+                    "E I of all fibers, in place of that of the circle; 0: of "
+                    "the circle [N mm^2].",
                     prm,
                     Patterns::Double(0.));
       add_parameter("Torsional stiffness",

@@ -7,15 +7,19 @@ namespace Heddle
     NewtonParameters::NewtonParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter("Residual tolerance",
-                    given_residual,
-                    "Largest unbalanced nodal force that is accepted, over the "
-                    "mean contact force, which counts as no less than a "
-                    "hundredth of the largest in the stage, or over the "
-                    "largest force where nothing touches; 0: 0.01 for a weave "
-                    "or a measured fabric, 1e-5 for centerlines [-].",
-                    prm,
-                    Patterns::Double(0., 1.));
+      add_parameter(
+        "Residual tolerance",
+        given_residual,
+        "Largest unbalanced nodal force that is accepted, over the "
+        "mean contact force, which counts as no less than a "
+        "hundredth of the largest in the stage, or over the "
+        "largest force where nothing touches; 0: 0.01 for a weave "
+        "or a measured fabric, 1e-5 for centerlines. A reaction that "
+        "is the small difference of large forces, as those of "
+        "stiff fibers in a soft matrix, has the error of these "
+        "[-].",
+        prm,
+        Patterns::Double(0., 1.));
       add_parameter("Increment tolerance",
                     given_increment,
                     "Largest motion in the last iteration that is accepted, as "
