@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <string>
 
@@ -21,6 +22,20 @@ initlog()
   deallog.attach(file, /*print_job_id=*/false);
   deallog.depth_console(0);
   file.precision(6);
+}
+
+
+
+/**
+ * Run a part of a test, below its @p heading. Numbers look alike in all parts.
+ */
+inline void
+run_part(const std::string &heading, const std::function<void()> &part)
+{
+  deallog << heading << std::endl;
+  const std::streamsize digits = deallog.precision(6);
+  part();
+  deallog.precision(digits);
 }
 
 
