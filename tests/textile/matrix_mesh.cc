@@ -1,13 +1,58 @@
-// The mesh finds each point of its cells and none elsewhere; its volume is that
-// of the block, or what lies between the surfaces of the fabric.
+// The mesh of a matrix: the parameters that describe it, its volume and its
+// cells, and what is refused in one sentence.
+#include <heddle/base/exceptions.h>
 #include <heddle/textile/matrix_mesh.h>
+#include <heddle/textile/matrix_mesh_parameters.h>
 
 #include "../tests.h"
 #include "woven_fabric.h"
 
+#include <functional>
 #include <random>
 
 using namespace Heddle::Textile;
+
+struct Section : ParameterAcceptor
+{
+  Section()
+    : ParameterAcceptor("/Matrix")
+  {
+    mesh.add_parameters(*this);
+  }
+
+  MatrixMeshParameters mesh;
+};
+
+
+
+/**
+ * The entries describe a mesh; without any of them it is the coating of a
+ * fabric.
+ */
+void
+parameters()
+{
+  const Section section;
+  for (const std::string entries :
+       {"",
+        "subsection Matrix\nset Shape = block\nset Columns x = 3\n"
+        "set Columns y = 4\nset Layers = 5\nset Coating thickness = 0.5\n"
+        "set Margin x = -0.1\nset Margin y = 0.2\nset Overlap depth = 2\n"
+        "set Leave out cells inside yarns = false\n"
+        "set Lower corner = -1, -2, -3\nset Upper corner = 4, 5, 6\nend\n"})
+    {
+      ParameterAcceptor::prm.parse_input_from_string(entries);
+      ParameterAcceptor::parse_all_parameters();
+      const MatrixMeshDescription mesh = section.mesh.description();
+      deallog << (mesh.shape == MatrixShape::block ? "block, " : "fabric, ")
+              << mesh.n_cells[0] << " x " << mesh.n_cells[1] << " x "
+              << mesh.n_cells[2] << " cells, coating " << mesh.coating_thickness
+              << ", margins " << mesh.margins[0] << " and " << mesh.margins[1]
+              << ", leave out " << mesh.leave_out << ", overlap "
+              << mesh.overlap_depth << ", from " << mesh.low_corner << " to "
+              << mesh.high_corner << std::endl;
+    }
+}
 
 
 
@@ -111,10 +156,13 @@ volume_between_surfaces(const LayeredGrid &grid)
 
 
 
-int
-main()
+/**
+ * The mesh finds each point of its cells and none elsewhere; its volume is that
+ * of the block, or what lies between the surfaces of the fabric.
+ */
+void
+places_and_volumes()
 {
-  initlog();
   const WovenFabric     plain("plain"), wide("twill 2/2", 3, 3);
   MatrixMeshDescription description;
   check("plain", MatrixMesh(description, plain.fibers, plain.nodes));
@@ -134,4 +182,90 @@ main()
   check("block", block);
   deallog << "volume over 0.3 x 0.4 x 0.08: "
           << block.volume() / (0.3 * 0.4 * 0.08) << std::endl;
+}
+
+
+
+void
+refuse(WovenFabric                                         fabric,
+       const std::function<void(MatrixMeshDescription &)> &spoil)
+{
+  MatrixMeshDescription description;
+  spoil(description);
+  try
+    {
+      const MatrixMesh mesh(description, fabric.fibers, fabric.nodes);
+      deallog << "accepted" << std::endl;
+    }
+  catch (const Heddle::InputError &error)
+    {
+      deallog << error.what() << std::endl;
+    }
+}
+
+
+
+/**
+ * A mesh that cannot be is refused in one sentence that names the parameter.
+ */
+void
+no_meshes()
+{
+  const WovenFabric plain("plain", 2);
+
+  WovenFabric none = plain;
+  none.fibers.clear();
+  refuse(none, [](auto &) {});
+
+  refuse(plain, [](auto &mesh) { mesh.coating_thickness = -0.01; });
+  refuse(plain, [](auto &mesh) { mesh.overlap_depth = -1.; });
+  refuse(plain, [](auto &mesh) { mesh.margins[0] = -0.25; });
+  refuse(plain, [](auto &mesh) { mesh.margins[1] = -0.25; });
+  refuse(plain, [](auto &mesh) { mesh.n_cells = {{10000, 2000, 1}}; });
+  refuse(plain, [](auto &mesh) { mesh.n_cells = {{500, 500, 50}}; });
+  refuse(plain, [](auto &mesh) { mesh.n_cells = {{2, 2, 400}}; });
+  refuse(plain, [](auto &mesh) { mesh.n_cells = {{300, 2, 2}}; });
+  refuse(plain, [](auto &mesh) {
+    mesh.shape       = MatrixShape::block;
+    mesh.high_corner = {1., -1., 1.};
+  });
+  refuse(plain, [](auto &mesh) {
+    mesh.shape         = MatrixShape::block;
+    mesh.overlap_depth = 0.;
+    mesh.low_corner    = {-0.002, 0.028, -0.001};
+    mesh.high_corner   = {0.002, 0.03, 0.001};
+    mesh.n_cells       = {{1, 1, 1}};
+  });
+
+  // Two fibers far apart: nothing lies between them in a small rectangle.
+  WovenFabric two = plain;
+  two.fibers.resize(2);
+  for (unsigned int f = 0; f < 2; ++f)
+    {
+      two.fibers[f].yarn_id = no_id;
+      two.fibers[f].radius  = 0.001;
+      two.fibers[f].points  = {Tensor<1, 3>({-1., 2. * f, 0.}),
+                               Tensor<1, 3>({1., 2. * f, 0.})};
+    }
+  refuse(two, [](auto &mesh) { mesh.margins[1] = -0.9; });
+
+  // A high wall beside a single fiber.
+  two.fibers.push_back(two.fibers[1]);
+  for (Tensor<1, 3> &point : two.fibers[2].points)
+    point[2] = 8.;
+  refuse(two, [](auto &mesh) {
+    mesh.coating_thickness = 0.;
+    mesh.n_cells           = {{20, 20, 1}};
+  });
+}
+
+
+
+int
+main()
+{
+  initlog();
+  run_part("Parameters", parameters);
+  run_part("Places and volumes", places_and_volumes);
+  run_part("What is no mesh", no_meshes);
 }

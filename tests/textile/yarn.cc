@@ -1,5 +1,6 @@
-// The depth in a round yarn is known in closed form, whatever its direction;
-// beyond its ends is outside. Yarns of one and of two fibers have bodies, too.
+// Fibers of a yarn do not overlap, however they are packed, and the depth of a
+// point in them is known.
+#include <heddle/textile/packing.h>
 #include <heddle/textile/yarn_body.h>
 
 #include <deal.II/base/numbers.h>
@@ -7,6 +8,79 @@
 #include "../tests.h"
 
 using namespace Heddle::Textile;
+
+double
+smallest_distance(const PackedSection &section)
+{
+  double smallest = 1e300;
+  for (unsigned int i = 0; i < section.positions.size(); ++i)
+    for (unsigned int j = 0; j < i; ++j)
+      smallest =
+        std::min(smallest, section.positions[i].distance(section.positions[j]));
+  return smallest;
+}
+
+
+
+void
+shake(Packing packing)
+{
+  packing.perturbation = 1.;
+  double smallest      = 1e300;
+  for (packing.seed = 1; packing.seed <= 5; ++packing.seed)
+    for (unsigned int yarn = 0; yarn < 8; ++yarn)
+      smallest =
+        std::min(smallest, smallest_distance(pack_yarn(packing, yarn)));
+  deallog << "  shaken: overlap " << (smallest < 2. * packing.radius)
+          << ", moved " << (smallest < 0.995 * packing.spacing * packing.radius)
+          << std::endl;
+
+  packing.seed     = 1;
+  const auto first = pack_yarn(packing, 0).positions;
+  const bool again = first == pack_yarn(packing, 0).positions;
+  const bool yarn  = first == pack_yarn(packing, 1).positions;
+  packing.seed     = 2;
+  const bool seed  = first == pack_yarn(packing, 0).positions;
+  deallog << "  equal again " << again << ", for another yarn " << yarn
+          << ", for another seed " << seed << std::endl;
+}
+
+
+
+/**
+ * No two fibers of a yarn overlap, however they are packed and shaken; equal
+ * seeds give equal yarns, other seeds and other yarns give other ones.
+ */
+void
+packings()
+{
+  for (const Layout layout : {Layout::rows, Layout::hexagonal})
+    for (const unsigned int n_bundles : {1, 3})
+      for (const unsigned int n_fibers : {1, 6, 7, 12})
+        {
+          Packing packing;
+          packing.n_bundles         = n_bundles;
+          packing.fibers_per_bundle = n_fibers;
+          packing.radius            = 0.0045;
+          packing.layout            = layout;
+          const auto   section      = pack_yarn(packing, 0);
+          const double scale        = 1. / packing.radius;
+
+          deallog << (layout == Layout::rows ? "rows " : "hexagonal ")
+                  << n_bundles << " x " << n_fibers << ": "
+                  << section.positions.size() << " fibers, width "
+                  << scale * section.width << " R, height "
+                  << scale * section.height << " R, outermost axis "
+                  << scale * section.radius << " R" << std::endl;
+          if (packing.n_fibers() > 1)
+            {
+              deallog << "  smallest distance "
+                      << scale * smallest_distance(section) << " R"
+                      << std::endl;
+              shake(packing);
+            }
+        }
+}
 
 
 
@@ -41,10 +115,13 @@ round_yarn(const Tensor<1, 3> &direction,
 
 
 
-int
-main()
+/**
+ * The depth in a round yarn is known in closed form, whatever its direction;
+ * beyond its ends is outside. Yarns of one and of two fibers have bodies, too.
+ */
+void
+bodies()
 {
-  initlog();
   const double yarn_radius = 0.1;
   for (const Tensor<1, 3> &way : {Tensor<1, 3>({1., 0., 0.}),
                                   Tensor<1, 3>({0., 2., 0.}),
@@ -97,4 +174,14 @@ main()
   two[0].yarn_id = two[1].yarn_id = no_id;
   deallog << "without yarns: " << yarn_bodies(two).size() << " bodies"
           << std::endl;
+}
+
+
+
+int
+main()
+{
+  initlog();
+  run_part("Packing", packings);
+  run_part("Depth in a yarn", bodies);
 }

@@ -1,0 +1,280 @@
+// Fibers from a file: how curves are drawn through their points, how they are
+// read, the fabric that they make, and what is refused in one sentence.
+#include <heddle/base/exceptions.h>
+#include <heddle/textile/interpolation.h>
+#include <heddle/textile/measured_fabric.h>
+#include <heddle/textile/path_reader.h>
+
+#include <deal.II/base/numbers.h>
+
+#include "../tests.h"
+
+#include <sstream>
+
+using namespace Heddle::Textile;
+
+/** Largest distance from the circle over the middle half of an arc. */
+double
+error(const Interpolation interpolation, const unsigned int n)
+{
+  std::vector<Tensor<1, 3>> points;
+  for (unsigned int i = 0; i <= n; ++i)
+    {
+      const double angle = numbers::PI * i / n;
+      points.push_back(Tensor<1, 3>({std::cos(angle), std::sin(angle), 0.}));
+    }
+  const InterpolatedCurve curve(points, interpolation);
+
+  double error = 0.;
+  for (unsigned int k = 0; k <= 1000; ++k)
+    error = std::max(
+      error, std::abs(curve(curve.end() * (0.25 + 0.0005 * k)).norm() - 1.));
+  const double chord = curve.end() / n;
+  for (unsigned int i = 0; i <= n; ++i)
+    AssertThrow((curve(i * chord) - points[i]).norm() < 1e-12,
+                ExcInternalError());
+  return error;
+}
+
+
+
+/**
+ * Between points of a circle, away from the free ends, both interpolations
+ * leave it by a distance of fourth order; both meet every point.
+ */
+void
+interpolations()
+{
+  for (const auto interpolation :
+       {Interpolation::spline, Interpolation::catmull_rom})
+    {
+      deallog << (interpolation == Interpolation::spline ? "spline"
+                                                         : "Catmull-Rom")
+              << ", order of the error:";
+      for (const unsigned int n : {32, 64, 128})
+        deallog << " "
+                << std::log2(error(interpolation, n) /
+                             error(interpolation, 2 * n));
+      deallog << std::endl;
+    }
+}
+
+
+
+void
+read(const std::string &text, const PathReading &settings)
+{
+  std::istringstream input(text);
+  for (const FiberPath &fiber : read_paths(input, "fibers.csv", settings))
+    {
+      double smallest = 1e300, largest = 0.;
+      for (unsigned int i = 1; i < fiber.points.size(); ++i)
+        {
+          const double h = (fiber.points[i] - fiber.points[i - 1]).norm();
+          smallest       = std::min(smallest, h);
+          largest        = std::max(largest, h);
+        }
+      deallog << "set '" << fiber.set << "', yarn "
+              << static_cast<int>(fiber.yarn_id) << ", radius " << fiber.radius
+              << ", length " << fiber.reference_length << ", "
+              << fiber.points.size() - 1 << " elements, chords " << smallest
+              << " to " << largest << ", from " << fiber.points.front()
+              << " to " << fiber.points.back() << std::endl;
+    }
+}
+
+
+
+/**
+ * Fibers of a file are resampled to equal elements, whatever the order of the
+ * columns, and scaled.
+ */
+void
+reading()
+{
+  PathReading settings;
+  settings.element_length = 0.5;
+  settings.scale          = 0.1;
+  read("# two fibers, points of which alternate\n"
+       "z, y,x ,fiber,set,radius\n"
+       "0,0,0,left,a,1\n"
+       "\n"
+       "0,0,0,right,b,2   # the second\n"
+       "0,0,10,left,a,1\n"
+       "5,0,0,right,b,4\n"
+       "0,0,11,left,a,1\n",
+       settings);
+
+  // Yarns are numbered as they appear; nothing is no yarn.
+  read("fiber,x,y,z,radius,yarn\n"
+       "1,0,0,0,1,left\n1,9,0,0,1,left\n"
+       "2,0,1,0,1,\n2,9,1,0,1,\n"
+       "3,0,2,0,1,right\n3,9,2,0,1,right\n"
+       "4,0,3,0,1,left\n4,9,3,0,1,left\n",
+       settings);
+
+  settings.scale         = 1.;
+  settings.radius        = 0.01;
+  const std::string bend = "fiber,x,y,z\n1,0,0,0\n1,1,0,0\n1,2,1,0\n1,2,2,0\n";
+  read(bend, settings);
+  settings.interpolation = Interpolation::catmull_rom;
+  read(bend, settings);
+  settings.element_length = 100.;
+  read(bend, settings);
+}
+
+
+
+void
+refuse_file(const std::string &text,
+            const double       radius         = 0.1,
+            const double       element_length = 1.,
+            const double       scale          = 1.)
+{
+  PathReading reading;
+  reading.element_length = element_length;
+  reading.radius         = radius;
+  reading.scale          = scale;
+  std::istringstream input(text);
+  try
+    {
+      read_paths(input, "fibers.csv", reading);
+      deallog << "accepted" << std::endl;
+    }
+  catch (const Heddle::InputError &error)
+    {
+      deallog << error.what() << std::endl;
+    }
+}
+
+
+
+/** Every fault of a file is told with its line, in one sentence. */
+void
+no_files_of_fibers()
+{
+  const std::string head = "fiber,x,y,z\n";
+  refuse_file("");
+  refuse_file("# nothing but a comment\n");
+  refuse_file(head);
+  refuse_file("fiber,x,z\n1,0,0\n");
+  refuse_file("fiber,x,x,y,z\n");
+  refuse_file("fiber,x,y,z,colour\n");
+  refuse_file("fiber,x,y,z\n1,0,0,0\n1,1,0,0\n", 0.);
+  refuse_file(head + "1,0,0,0\n1,1,0\n");
+  refuse_file(head + "1,0,0,0\n1,1,zero,0\n");
+  refuse_file(head + "1,0,0,0\n1,1,nan,0\n");
+  refuse_file(head + "1,0,0,0\n1,1e999,0,0\n");
+  refuse_file(head + "1,0,0,0\n,1,0,0\n");
+  refuse_file(head + "1,0,0,0\n1,1,0,0\n2,5,5,5\n");
+  refuse_file(head + "1,0,0,0\n1,1,0,0\n# again\n1,1,0,0\n");
+  refuse_file("fiber,x,y,z,radius\n1,0,0,0,1\n1,1,0,0,-1\n", 0.);
+  refuse_file("fiber,x,y,z,set\n1,0,0,0,a\n1,1,0,0,b\n");
+  refuse_file("fiber,x,y,z,yarn\n1,0,0,0,a\n1,1,0,0,\n");
+  refuse_file("fiber,x,y,z,set,yarn\n1,0,0,0,a,7\n1,1,0,0,a,7\n"
+              "2,0,0,1,b,7\n2,1,0,1,b,7\n");
+  refuse_file(head + "1,0,0,0\n1,1,0,0\n", 0.1, 0.);
+  refuse_file(head + "1,0,0,0\n1,1,0,0\n", 0.1, 1e-9);
+  refuse_file(head + "1,0,0,0\n1,1,0,0\n", -0.1);
+  refuse_file(head + "1,0,0,0\n1,1,0,0\n", 0.1, 1., 0.);
+  try
+    {
+      read_paths("no such file.csv", PathReading{1., 1, 0.1, 1., {}});
+    }
+  catch (const Heddle::InputError &error)
+    {
+      deallog << error.what() << std::endl;
+    }
+}
+
+
+
+/** A straight fiber in the middle of which is the place @p across. */
+FiberPath
+fiber(const std::string &set,
+      const unsigned int yarn,
+      const double       across,
+      const bool         backward = false)
+{
+  const unsigned int along = set == "weft" ? 1 : 0;
+  FiberPath          path;
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      Tensor<1, 3> point;
+      point[along]     = backward ? 2. - i : i;
+      point[1 - along] = across;
+      point[2]         = 0.1 * i;
+      path.points.push_back(point);
+    }
+  path.set     = set;
+  path.yarn_id = yarn;
+  return path;
+}
+
+
+
+void
+refuse_fabric(std::vector<FiberPath> paths)
+{
+  try
+    {
+      MeasuredFabric(paths, "fibers.csv").spacing();
+      deallog << "accepted" << std::endl;
+    }
+  catch (const Heddle::InputError &error)
+    {
+      deallog << error.what() << std::endl;
+    }
+}
+
+
+
+/**
+ * Fibers of a measured fabric all run towards larger x or y, whichever end they
+ * begin at; its yarns are counted and their spacing is that of their middles. A
+ * file that is no fabric is refused in one sentence.
+ */
+void
+fabrics()
+{
+  std::vector<FiberPath> paths = {fiber("warp", 1, 4.),
+                                  fiber("weft", 0, 1.),
+                                  fiber("warp", 1, 6., /*backward=*/true),
+                                  fiber("weft", 2, 0.75, true),
+                                  fiber("warp", 3, 3.),
+                                  fiber("warp", 4, 9.)};
+  const MeasuredFabric   fabric(paths, "fibers.csv");
+  for (const FiberPath &path : paths)
+    deallog << path.set << " from " << path.points.front() << " to "
+            << path.points.back() << std::endl;
+  deallog << fabric.n_yarns()[0] << " warp yarns at " << fabric.spacing()[0]
+          << ", " << fabric.n_yarns()[1] << " weft yarns at "
+          << fabric.spacing()[1] << std::endl;
+
+  // Lost while it was traced.
+  deallog << "short: \"" << fabric.short_fibers() << '"' << std::endl;
+  paths[2].points.pop_back();
+  deallog << MeasuredFabric(paths, "fibers.csv").short_fibers() << std::endl;
+  paths[0].points.erase(paths[0].points.begin());
+  deallog << MeasuredFabric(paths, "fibers.csv").short_fibers() << std::endl;
+
+  refuse_fabric({fiber("warp", 0, 1.), fiber("warp", no_id, 2.)});
+  refuse_fabric({fiber("warp", 0, 1.), fiber("pile", 1, 2.)});
+  refuse_fabric({fiber("warp", 0, 1.), fiber("warp", 1, 2.)});
+  refuse_fabric(
+    {fiber("warp", 0, 1.), fiber("warp", 1, 2.), fiber("weft", 2, 2.)});
+  paths[1].set = "warp";
+  refuse_fabric(paths);
+}
+
+
+
+int
+main()
+{
+  initlog();
+  run_part("Interpolation", interpolations);
+  run_part("Reading", reading);
+  run_part("What is no file of fibers", no_files_of_fibers);
+  run_part("Measured fabrics", fabrics);
+}
