@@ -1,15 +1,21 @@
-// The lines of a stretched wavy fabric lie on its centerlines, carry their
-// strains and displacements, and are the same on any number of ranks.
+// What is drawn of fibers and of their contact, the same on any number of
+// ranks.
 #include <heddle/base/file.h>
+#include <heddle/io/contact_output.h>
 #include <heddle/io/fiber_output.h>
 
 #include "../tests.h"
 #include "wavy_fabric.h"
 
-int
-main(int argc, char **argv)
+#include <regex>
+
+/**
+ * The lines of a stretched wavy fabric lie on its centerlines, carry their
+ * strains and displacements, and are the same on any number of ranks.
+ */
+void
+fibers()
 {
-  MPITest    test(argc, argv);
   WavyFabric fabric(MPI_COMM_WORLD);
 
   const auto                      initial = fabric.state.current();
@@ -25,7 +31,7 @@ main(int argc, char **argv)
 
   Heddle::IO::FiberOutput output(fabric.space,
                                  /*n_subdivisions=*/3,
-                                 "fiber_output_01_files");
+                                 "fiber_files");
 
   double     off_the_wave = 0., strain_error = 0., lift_error = 0., total = 0.;
   const auto owned = fabric.space.owned_fibers();
@@ -63,6 +69,77 @@ main(int argc, char **argv)
     output.write(
       fabric.state, initial, no_strain, number, 0.5 * number, "settle");
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    deallog << Heddle::read_file("fiber_output_01_files/fibers.pvd", "series")
+    deallog << Heddle::read_file("fiber_files/fibers.pvd", "series")
             << std::endl;
+}
+
+
+
+/** Number of points in all pieces of a VTU file. */
+unsigned int
+count_points(const std::string &file)
+{
+  const std::string text = Heddle::read_file(file, "VTU file");
+  const std::regex  number("NumberOfPoints=\"([0-9]+)\"");
+  unsigned int      n = 0;
+  for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end;
+       ++i)
+    n += std::stoi((*i)[1]);
+  return n;
+}
+
+
+
+/**
+ * A contact element becomes one point with its data, also if two ranks hold it.
+ */
+void
+contacts()
+{
+  WavyFabric fabric(MPI_COMM_WORLD);
+
+  // A warp fiber over a weft fiber: on two ranks, both hold the element.
+  const unsigned int                      a = 7, b = 14;
+  std::vector<Heddle::System::GhostFiber> ghosts;
+  for (const unsigned int f : {a, b})
+    if (!fabric.space.owns(f))
+      ghosts.push_back({f, fabric.space.all_nodes(f)});
+  fabric.state.set_ghost_fibers(ghosts);
+
+  Heddle::Contact::ContactElement element;
+  element.fiber_a = a;
+  element.fiber_b = b;
+  element.zone    = 3;
+  element.s_a     = 0.25 * fabric.space.fiber(a).length;
+  element.s_b     = 0.75 * fabric.space.fiber(b).length;
+  element.weight  = 0.02;
+  element.gap     = -0.0004;
+  element.force   = 1.5;
+  element.penalty = 40.;
+  element.normal  = Tensor<1, 3>({0., 0., 1.});
+
+  Heddle::IO::ContactOutput output(fabric.space, "contact_files");
+  const auto  patch = output.patch(element, fabric.state, /*zone_id=*/3);
+  const auto &names = Heddle::IO::ContactOutput::fields();
+  deallog << "at " << patch.vertices[0] << std::endl;
+  for (unsigned int i = 1; i < names.size(); ++i)
+    deallog << names[i] << " " << patch.data(i + 2, 0) << std::endl;
+
+  output.write({element}, fabric.state, 0, 0., "settle");
+  output.write({}, fabric.state, 1, 1., "settle");
+  for (const std::string number : {"0", "1"})
+    deallog << "points in file " << number << ": "
+            << count_points("contact_files/contacts/contacts-0000" + number +
+                            ".vtu")
+            << std::endl;
+}
+
+
+
+int
+main(int argc, char **argv)
+{
+  const MPITest mpi(argc, argv);
+  run_part("Fibers", fibers);
+  run_part("Contact elements", contacts);
 }

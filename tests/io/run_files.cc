@@ -1,8 +1,11 @@
-// A write that is cut short leaves the last checkpoint; old ones go; files of
-// other fibers, of another layout, or none at all are refused in one sentence.
+// What a run leaves to read and to go on from: its summary, its history, and
+// checkpoints, of which the last complete one counts.
 #include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
 #include <heddle/io/checkpoint.h>
 #include <heddle/io/hdf5_archive.h>
+#include <heddle/io/history.h>
+#include <heddle/io/summary.h>
 
 #include "../tests.h"
 #include "wavy_fabric.h"
@@ -12,6 +15,62 @@
 #include <functional>
 
 using Heddle::IO::Checkpoint;
+
+/**
+ * The summary of a run that did not converge, and a history that goes on after
+ * a restart.
+ */
+void
+summary_and_history()
+{
+  Heddle::IO::Summary summary;
+  summary.status        = Heddle::IO::Summary::Status::not_converged;
+  summary.reason        = "The step fell below 1e-4 in the stage \"settle\".";
+  summary.n_fibers      = 28;
+  summary.n_fiber_nodes = 700;
+  summary.n_dofs        = 4200;
+  summary.contributions = {"fiber elasticity", "fiber contact"};
+  summary.results       = {{"crimp_warp[-]", 0.125}};
+
+  Heddle::IO::StageSummary stage;
+  stage.name                  = "settle";
+  stage.status                = "not converged";
+  stage.steps                 = 3;
+  stage.newton_iterations     = 21;
+  stage.contact_elements      = 900;
+  stage.n_dofs_per_rank       = 2400;
+  stage.max_penetration_ratio = 0.0175;
+  stage.wall_time.total       = 2.5;
+  summary.stages.push_back(stage);
+  deallog << summary.json() << std::endl;
+
+  // Of a composite it says how large the matrix is.
+  summary.stages.clear();
+  summary.matrix = {/*n_cells=*/400,
+                    /*n_nodes=*/605,
+                    /*n_links=*/96,
+                    /*n_assemblies=*/1,
+                    /*volume=*/0.5,
+                    /*doubled_volume=*/0.125};
+  deallog << summary.json() << std::endl;
+
+  Heddle::create_folder("summary_files");
+  summary.write("summary_files");
+
+  const std::vector<Heddle::IO::History::Column> measured = {{"force", "N"}};
+  Heddle::IO::History history("summary_files", MPI_COMM_WORLD, measured);
+  history.add({{"step", 1}, {"load_factor", 0.5}, {"force", 2.5}});
+  const std::string saved = history.csv();
+  history.add({{"step", 2}, {"load_factor", 1.}, {"force", 77.}});
+
+  Heddle::IO::History resumed("summary_files", MPI_COMM_WORLD, measured);
+  resumed.resume(saved);
+  resumed.add({{"step", 2}, {"load_factor", 1.}, {"force", 5.}});
+  deallog << Heddle::read_file("summary_files/history.csv", "history")
+          << std::endl;
+}
+
+
 
 void
 report(const std::function<void()> &action)
@@ -29,12 +88,15 @@ report(const std::function<void()> &action)
 
 
 
-int
-main(int argc, char **argv)
+/**
+ * A write that is cut short leaves the last checkpoint; old ones go; files of
+ * other fibers, of another layout, or none at all are refused in one sentence.
+ */
+void
+checkpoints()
 {
-  MPITest           test(argc, argv);
   WavyFabric        fabric(MPI_COMM_WORLD);
-  const std::string directory     = "checkpoint_02_files";
+  const std::string directory     = "checkpoint_files";
   const auto        nothing_saved = [](Heddle::ArchiveWriter &) {};
   const auto        nothing_read  = [](const Heddle::ArchiveReader &) {};
   std::filesystem::remove_all(directory);
@@ -95,4 +157,14 @@ main(int argc, char **argv)
     other_layout.commit();
   }
   report([&]() { checkpoint.read(text_file, fabric.state, nothing_read); });
+}
+
+
+
+int
+main(int argc, char **argv)
+{
+  const MPITest mpi(argc, argv);
+  run_part("Summary and history", summary_and_history);
+  run_part("Checkpoints", checkpoints);
 }

@@ -1,0 +1,250 @@
+// What is told of the centerlines of fibers is the same on any number of ranks:
+// their points, their sharpest bend, and their table.
+#include <heddle/post/bend.h>
+#include <heddle/post/centerline.h>
+#include <heddle/simulation/fiber_placement.h>
+#include <heddle/textile/csv_table.h>
+#include <heddle/textile/path_reader.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include "../tests.h"
+
+#include <algorithm>
+#include <sstream>
+
+using namespace Heddle;
+
+/** Fibers where their paths are. */
+struct PlacedFibers
+{
+  PlacedFibers(const std::vector<Textile::FiberPath> &paths,
+               const Simulation::FiberParameters     &parameters)
+    : space(Simulation::make_space(paths, parameters, MPI_COMM_WORLD))
+    , state(*space)
+  {
+    const auto blocks = Simulation::place_on_paths(*space, paths);
+    std::copy(
+      blocks.begin(), blocks.end(), state.fiber(space->owned_fibers().first));
+  }
+
+  std::unique_ptr<System::FiberSpace> space;
+  System::State                       state;
+};
+
+
+
+/** A quarter of a circle of radius @p radius about the z-axis. */
+Textile::FiberPath
+quarter(const double radius, const unsigned int n_elements)
+{
+  Textile::FiberPath path;
+  for (unsigned int i = 0; i <= n_elements; ++i)
+    {
+      const double angle = 0.5 * numbers::PI * i / n_elements;
+      path.points.push_back(
+        Tensor<1, 3>({radius * std::cos(angle), radius * std::sin(angle), 0.}));
+    }
+  path.reference_length = 0.5 * numbers::PI * radius;
+  path.radius           = 0.1;
+  return path;
+}
+
+
+
+void
+print_points(const std::string &element)
+{
+  Simulation::FiberParameters parameters("/Fiber " + element);
+  parameters.element_name                     = element;
+  parameters.elements_per_fiber               = 16;
+  const std::vector<Textile::FiberPath> paths = {
+    quarter(1., 16), quarter(2., 16), quarter(3., 16)};
+  const PlacedFibers fibers(paths, parameters);
+
+  for (const Polyline &line : Post::gather_centerlines(fibers.state, 5))
+    {
+      double off = 0., uneven = 0.;
+      for (unsigned int i = 1; i < line.size(); ++i)
+        {
+          const double radius = line[0].norm();
+          const double chord  = 0.5 * numbers::PI * radius / (line.size() - 1);
+          off    = std::max(off, std::abs(line[i].norm() / radius - 1.));
+          uneven = std::max(
+            uneven, std::abs((line[i] - line[i - 1]).norm() / chord - 1.));
+        }
+      deallog << element << ": " << line.size() << " points, from "
+              << line.front().norm() << ", off the circle by "
+              << (off < 1e-3 ? "less than 1e-3" : "more") << ", uneven by "
+              << (uneven < 2e-2 ? "less than 2e-2" : "more") << std::endl;
+    }
+}
+
+
+
+/**
+ * Sampled between its nodes, the centerline of a fiber that lies on a circle
+ * stays on the circle and its points equally far from each other, for both
+ * elements, and rank 0 gets those of all ranks in their order.
+ */
+void
+points()
+{
+  print_points("hermite");
+  print_points("director");
+}
+
+
+
+/** One wave of a cosine, with @p radius in the vertex. */
+Textile::FiberPath
+wave(const double       radius,
+     const unsigned int n_elements,
+     const double       radius_of_fiber)
+{
+  Textile::FiberPath path;
+  for (unsigned int i = 0; i <= n_elements; ++i)
+    {
+      const double x = (2. * i / n_elements - 1.) * radius;
+      path.points.push_back(
+        Tensor<1, 3>({x, -radius * std::cos(x / radius), radius}));
+    }
+  path.reference_length = 2. * radius;
+  path.radius           = radius_of_fiber;
+  return path;
+}
+
+
+
+Post::Bend
+sharpest(const std::string &element,
+         const unsigned int n_elements,
+         const double       radius_of_fiber)
+{
+  Simulation::FiberParameters parameters("/Fiber " + element);
+  parameters.element_name                     = element;
+  parameters.elements_per_fiber               = n_elements;
+  const std::vector<Textile::FiberPath> paths = {
+    wave(1., n_elements, radius_of_fiber),
+    wave(2., n_elements, radius_of_fiber),
+    wave(0.5, n_elements, radius_of_fiber)};
+  const PlacedFibers fibers(paths, parameters);
+  return Post::sharpest_bend(fibers.state);
+}
+
+
+
+void
+print_bends(const std::string &element)
+{
+  std::vector<double> errors;
+  for (const unsigned int n_elements : {8, 16, 32, 64})
+    {
+      const Post::Bend bend = sharpest(element, n_elements, 0.1);
+      errors.push_back(std::abs(bend.ratio / 0.2 - 1.));
+      deallog << element << ", " << n_elements << " elements: fiber "
+              << bend.fiber << ", error " << errors.back();
+      if (errors.size() > 1)
+        deallog << ", order "
+                << std::log2(errors[errors.size() - 2] / errors.back());
+      deallog << ", a kink: " << bend.is_a_kink() << std::endl;
+    }
+  const Post::Bend bend = sharpest(element, 64, 0.55);
+  deallog << "Thicker: " << bend.in_words() << ", a kink: " << bend.is_a_kink()
+          << std::endl;
+}
+
+
+
+/**
+ * The sharpest bend of three fibers on waves, in whose vertices are radii of 1,
+ * 2 and 0.5 mm: radius of the fiber over 0.5 mm, found in the vertex of the
+ * last one, with the order that the slopes in the nodes have. Bent to its own
+ * radius a fiber has a kink.
+ */
+void
+bends()
+{
+  print_bends("hermite");
+  print_bends("director");
+}
+
+
+
+/** A straight fiber in four elements, of lengths that no decimals hold. */
+Textile::FiberPath
+fiber(const unsigned int number,
+      const std::string &set,
+      const unsigned int yarn)
+{
+  Textile::FiberPath path;
+  path.yarn_id = yarn;
+  for (unsigned int i = 0; i <= 4; ++i)
+    path.points.push_back(Tensor<1, 3>({i / 3., number / 7., -1e-5 / 3.}));
+  path.reference_length = 4. / 3.;
+  path.radius           = 0.1 / (number + 3.);
+  path.set              = set;
+  return path;
+}
+
+
+
+/**
+ * Written as a table and read again, the nodes of all fibers are the same to
+ * the last digit, in their order, with radius, set and yarn.
+ */
+void
+table()
+{
+  Simulation::FiberParameters           parameters;
+  const std::vector<Textile::FiberPath> paths = {
+    fiber(0, "warp", 0), fiber(1, "", Textile::no_id), fiber(2, "weft", 1)};
+  const PlacedFibers fibers(paths, parameters);
+
+  const std::string text = Post::centerlines_csv(fibers.state);
+  if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    {
+      AssertThrow(text == "fiber,x,y,z,radius,set,yarn\n", ExcInternalError());
+      return;
+    }
+  std::istringstream input(text);
+  Textile::CsvTable  csv(input,
+                        "centerlines.csv",
+                        {"fiber", "x", "y", "z", "radius", "set", "yarn"},
+                        {});
+  unsigned int       n_same = 0;
+  for (unsigned int f = 0; f < paths.size(); ++f)
+    for (const Tensor<1, 3> &point : paths[f].points)
+      {
+        csv.next();
+        n_same += csv.number("fiber") == f && csv.number("x") == point[0] &&
+                  csv.number("y") == point[1] && csv.number("z") == point[2] &&
+                  csv.number("radius") == paths[f].radius &&
+                  csv.text("set") == paths[f].set &&
+                  csv.text("yarn") == std::vector<std::string>{"0", "", "1"}[f];
+      }
+  deallog << n_same << " nodes are the same, more follow: " << csv.next()
+          << std::endl;
+
+  std::istringstream   again(text);
+  Textile::PathReading reading;
+  reading.element_length = 1. / 3.;
+  for (const Textile::FiberPath &path :
+       Textile::read_paths(again, "centerlines.csv", reading))
+    deallog << "set '" << path.set << "', yarn "
+            << static_cast<int>(path.yarn_id) << ", radius " << path.radius
+            << ", " << path.points.size() << " knots, to " << path.points.back()
+            << std::endl;
+}
+
+
+
+int
+main(int argc, char **argv)
+{
+  const MPITest mpi(argc, argv);
+  run_part("Points", points);
+  run_part("Bends", bends);
+  run_part("Table", table);
+}
