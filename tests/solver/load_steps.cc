@@ -1,9 +1,8 @@
-// The guess of the next equilibrium: nothing from one equilibrium, the line
-// through two and, once a fourth one has shown it to be the better guess, the
-// parabola through three. It is not after a jump. Sections turn about their
-// axis, with the lengths that they have. What is not a parabola is missed by
-// the third order of the step.
+// Load steps: how long they are, where they have to end, and what is guessed of
+// the equilibrium there.
 #include <heddle/beam/element.h>
+#include <heddle/simulation/fabric_loading_parameters.h>
+#include <heddle/solver/load_stepping.h>
 #include <heddle/solver/predictor.h>
 #include <heddle/system/state.h>
 
@@ -13,6 +12,110 @@
 
 using Heddle::System::FiberSpace;
 using Heddle::System::State;
+
+/** Newton iterations of each attempt; 0: it failed. */
+void
+attempt(Heddle::Solver::LoadStepping    &stepping,
+        const std::vector<unsigned int> &attempts)
+{
+  for (const unsigned int iterations : attempts)
+    {
+      deallog << stepping.reached() << " -> " << stepping.next();
+      if (iterations > 0)
+        stepping.accept(iterations);
+      else
+        deallog << " failed, shorter " << stepping.cut_back();
+      deallog << std::endl;
+    }
+}
+
+
+
+/**
+ * Load steps hit the points that are asked for, grow after easy steps, are
+ * halved after failures, and are given up when they would get too short.
+ */
+void
+lengths()
+{
+  Heddle::Solver::LoadPlan plan;
+  plan.initial_step  = 0.1;
+  plan.largest_step  = 0.3;
+  plan.smallest_step = 0.02;
+  plan.points        = {0.25};
+  Heddle::Solver::LoadStepping stepping(plan);
+
+  attempt(stepping, {5, 5, 20, 5, 0, 0, 5, 5, 5});
+  while (!stepping.finished())
+    stepping.accept(5);
+  deallog << "finished at " << stepping.reached() << std::endl;
+
+  // After a cut hard steps grow again, but less soon if they fail again.
+  plan.points = {};
+  Heddle::Solver::LoadStepping hard(plan);
+  attempt(hard, {20, 0, 20, 20, 20, 20, 0, 20, 20, 20, 20, 20, 20, 20});
+
+  // A step to 0 comes first, is not halved, and leaves the others as they were.
+  Heddle::Solver::LoadStepping from_zero(plan);
+  from_zero.begin_at_zero();
+  deallog << "has begun " << from_zero.has_begun() << std::endl;
+  attempt(from_zero, {0, 5});
+  deallog << "has begun " << from_zero.has_begun() << std::endl;
+  attempt(from_zero, {5, 5});
+
+  Heddle::Solver::LoadStepping stubborn(plan);
+  while (stubborn.cut_back())
+    deallog << "halved to " << stubborn.next() << std::endl;
+  deallog << "given up at " << stubborn.reached() << std::endl;
+}
+
+
+
+void
+turn_back(const std::string &ramp)
+{
+  Heddle::Simulation::FabricLoadingParameters loading("/Of " + ramp);
+  ParameterAcceptor::initialize();
+  ParameterAcceptor::prm.enter_subsection("Of " + ramp);
+  ParameterAcceptor::prm.set("Ramp", ramp);
+  ParameterAcceptor::prm.leave_subsection();
+  ParameterAcceptor::parse_all_parameters();
+  Heddle::Solver::LoadPlan plan;
+  plan.initial_step = 0.1;
+  plan.points       = {0.25, 0.5};
+  plan.reach(loading.turning_points());
+  deallog << ramp << ": turns at";
+  for (const double point : loading.turning_points())
+    deallog << ' ' << point;
+  deallog << "; steps hit";
+  for (const double point : plan.points)
+    deallog << ' ' << point;
+  deallog << std::endl;
+}
+
+
+
+/**
+ * Load steps hit the places at which the ramp of a fabric's test turns back,
+ * with a kink or without or after it has stayed, and none where it goes on;
+ * beside the points that were asked for.
+ */
+void
+turning_points()
+{
+  deallog << std::setprecision(7);
+  turn_back("t");
+  turn_back("1 - abs(2*t - 1)");
+  turn_back("1 - abs(t - 0.3337) - 0.6663");
+  turn_back("sin(3*pi*t)");
+  turn_back("min(2*t, 1)");
+  turn_back("min(2*t, 1) - max(0, 4*t - 3)");
+  turn_back("min(1, min(2.5*t, 2*(1-t)))");
+  turn_back("min(2*t, 1) + max(0, t - 0.75)");
+  turn_back("abs(abs(4*t - 2) - 1) - 1");
+}
+
+
 
 /** Where paths jump that do. */
 constexpr double jump_at = 0.12;
@@ -103,10 +206,16 @@ examine(const std::string &name, const std::pair<double, double> &error)
 
 
 
-int
-main(int argc, char **argv)
+/**
+ * The guess of the next equilibrium: nothing from one equilibrium, the line
+ * through two and, once a fourth one has shown it to be the better guess, the
+ * parabola through three. It is not after a jump. Sections turn about their
+ * axis, with the lengths that they have. What is not a parabola is missed by
+ * the third order of the step.
+ */
+void
+guesses()
 {
-  MPITest                                 test(argc, argv);
   Heddle::System::FiberSpace::Description fiber;
   fiber.element_lengths.assign(2, 1.);
   fiber.radius  = 1.;
@@ -146,4 +255,15 @@ main(int argc, char **argv)
               << std::log2(whole.first / finer.first) << ", sections "
               << std::log2(whole.second / finer.second) << std::endl;
     }
+}
+
+
+
+int
+main(int argc, char **argv)
+{
+  const MPITest mpi(argc, argv);
+  run_part("Lengths of steps", lengths);
+  run_part("Places at which a ramp turns back", turning_points);
+  run_part("Guesses", guesses);
 }
