@@ -20,6 +20,7 @@
 // found: the reference is degree 2 on the finest mesh.
 //
 // All orders are those of the differences of successive meshes.
+#include <heddle/base/petsc.h>
 #include <heddle/solid/cell_kernel.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -32,14 +33,11 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparse_direct.h>
-#include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/sparsity_pattern.h>
-#include <deal.II/lac/vector.h>
 
 #include "../tests.h"
+#include <petscksp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -58,6 +56,105 @@ struct Case
   bool         plane_strain;
   double       force; /**< Per thickness. */
   unsigned int n_steps;
+};
+
+
+
+double
+norm(const std::vector<double> &x)
+{
+  double sum = 0.;
+  for (const double value : x)
+    sum += value * value;
+  return std::sqrt(sum);
+}
+
+
+
+/**
+ * A sparse matrix, the entries of which are found once and not each time that
+ * something is added, and its factorization. In Debug most of the time would
+ * go into the entries of deal.II's.
+ */
+class SparseSystem
+{
+public:
+  /** Rows and columns that are coupled, each list by all of its own. */
+  void
+  set_pattern(const unsigned int                            n_rows,
+              const std::vector<std::vector<unsigned int>> &coupled)
+  {
+    std::vector<std::vector<PetscInt>> rows(n_rows);
+    for (const auto &list : coupled)
+      for (const unsigned int i : list)
+        rows[i].insert(rows[i].end(), list.begin(), list.end());
+    begins.assign(1, 0);
+    columns.clear();
+    for (auto &row : rows)
+      {
+        std::sort(row.begin(), row.end());
+        row.erase(std::unique(row.begin(), row.end()), row.end());
+        columns.insert(columns.end(), row.begin(), row.end());
+        begins.push_back(columns.size());
+      }
+    values.resize(columns.size());
+
+    using Heddle::petsc;
+    petsc(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF,
+                                    n_rows,
+                                    n_rows,
+                                    begins.data(),
+                                    columns.data(),
+                                    values.data(),
+                                    &matrix));
+    petsc(VecCreateSeq(PETSC_COMM_SELF, n_rows, &vector));
+    petsc(KSPCreate(PETSC_COMM_SELF, &solver));
+    petsc(KSPSetType(solver, KSPPREONLY));
+    petsc(KSPSetOperators(solver, matrix, matrix));
+    PC factorization;
+    petsc(KSPGetPC(solver, &factorization));
+    petsc(PCSetType(factorization, PCLU));
+    petsc(PCFactorSetMatSolverType(factorization, MATSOLVERMUMPS));
+  }
+
+  ~SparseSystem()
+  {
+    KSPDestroy(&solver);
+    VecDestroy(&vector);
+    MatDestroy(&matrix);
+  }
+
+  /** Where in @p values an entry is. */
+  unsigned int
+  place(const unsigned int row, const unsigned int column) const
+  {
+    return std::lower_bound(columns.begin() + begins[row],
+                            columns.begin() + begins[row + 1],
+                            PetscInt(column)) -
+           columns.begin();
+  }
+
+  /** Replace @p x by the solution. */
+  void
+  solve(std::vector<double> &x)
+  {
+    using Heddle::petsc;
+    // Tells that the values are others.
+    double *changed;
+    petsc(MatSeqAIJGetArray(matrix, &changed));
+    petsc(MatSeqAIJRestoreArray(matrix, &changed));
+    petsc(VecPlaceArray(vector, x.data()));
+    petsc(KSPSolve(solver, vector, vector));
+    petsc(VecResetArray(vector));
+  }
+
+  std::vector<double> values;
+
+private:
+  std::vector<PetscInt> begins, columns;
+  Mat                   matrix = nullptr;
+  Vec                   vector = nullptr;
+  KSP                   solver = nullptr;
 };
 
 
@@ -95,7 +192,7 @@ public:
       },
       triangulation);
     handler.distribute_dofs(element);
-    set_up_system();
+    set_up_unknowns();
     set_up_load();
     set_up_cells();
   }
@@ -106,39 +203,44 @@ public:
   double
   solve(const double y)
   {
-    displacement.reinit(handler.n_dofs());
-    Vector<double> step(handler.n_dofs());
+    displacement.assign(load.size(), 0.);
+    std::vector<double> residual(load.size()), step(load.size());
     for (unsigned int s = 1; s <= problem.n_steps; ++s)
-      {
-        double       ratio = 1.;
-        unsigned int i     = 0;
-        for (; ratio > (s == problem.n_steps ? tolerance : 1e-2) && i < 20; ++i)
-          {
-            Vector<double> residual(load);
-            residual *= -1. * s / problem.n_steps;
-            // A step that turns a cell inside out is halved.
-            while (!assemble(residual))
+      for (unsigned int i = 0;; ++i)
+        {
+          const double part = double(s) / problem.n_steps;
+          // A step that turns a cell inside out is halved.
+          while (!assemble(part, residual))
+            for (unsigned int k = 0; k < step.size(); ++k)
               {
-                step *= .5;
-                displacement += step;
+                step[k] *= .5;
+                displacement[k] -= step[k];
               }
-            ratio = residual.l2_norm() / load.l2_norm();
-            SparseDirectUMFPACK solver;
-            solver.factorize(matrix);
-            solver.solve(residual);
-            step = residual;
-            displacement -= step;
-          }
-        if (i == 20)
-          deallog << "FAIL: no equilibrium" << std::endl;
-      }
+          if (norm(residual) <=
+              (s == problem.n_steps ? tolerance : 1e-2) * norm(load))
+            break;
+          if (i == 20)
+            {
+              deallog << "FAIL: no equilibrium" << std::endl;
+              break;
+            }
+          step = residual;
+          system.solve(step);
+          for (unsigned int k = 0; k < step.size(); ++k)
+            {
+              step[k] *= -1.;
+              displacement[k] += step[k];
+            }
+        }
     return value(y);
   }
 
 private:
+  /** Number what is not held. */
   void
-  set_up_system()
+  set_up_unknowns()
   {
+    AffineConstraints<double> constraints;
     DoFTools::make_zero_boundary_constraints(handler, 0, constraints, [this]() {
       ComponentMask mask(3, true);
       mask.set(2, problem.plane_strain);
@@ -150,12 +252,10 @@ private:
       for (const auto i : DoFTools::extract_dofs(
              handler, element.component_mask(thickness_direction())))
         constraints.add_line(i);
-    constraints.close();
-
-    DynamicSparsityPattern dynamic(handler.n_dofs());
-    DoFTools::make_sparsity_pattern(handler, dynamic, constraints, false);
-    pattern.copy_from(dynamic);
-    matrix.reinit(pattern);
+    unsigned int n_unknowns = 0;
+    for (unsigned int i = 0; i < handler.n_dofs(); ++i)
+      unknowns.push_back(constraints.is_constrained(i) ? held : n_unknowns++);
+    load.assign(n_unknowns, 0.);
   }
 
 
@@ -171,7 +271,6 @@ private:
   void
   set_up_load()
   {
-    load.reinit(handler.n_dofs());
     FEFaceValues<3>                      values(element,
                            QGauss<2>(element.degree + 1),
                            update_values | update_JxW_values);
@@ -185,11 +284,11 @@ private:
             cell->get_dof_indices(dofs);
             for (const unsigned int q : values.quadrature_point_indices())
               for (const unsigned int i : values.dof_indices())
-                if (element.system_to_component_index(i).first == 1)
-                  load(dofs[i]) +=
+                if (element.system_to_component_index(i).first == 1 &&
+                    unknowns[dofs[i]] != held)
+                  load[unknowns[dofs[i]]] +=
                     pressure * values.shape_value(i, q) * values.JxW(q);
           }
-    constraints.set_zero(load);
   }
 
 
@@ -197,9 +296,10 @@ private:
   /** What an assembly needs of a cell. */
   struct Cell
   {
-    std::vector<types::global_dof_index> dofs; /**< node by node */
-    std::vector<Point<3>> positions;           /**< of nodes, without load */
-    std::vector<double>   gradients, weights;
+    std::vector<unsigned int> unknowns;  /**< node by node */
+    std::vector<unsigned int> entries;   /**< of those that are not held */
+    std::vector<Point<3>>     positions; /**< of nodes, without load */
+    std::vector<double>       gradients, weights;
   };
 
 
@@ -218,12 +318,15 @@ private:
       {
         values.reinit(cell);
         cell->get_dof_indices(dofs);
-        Cell one{dofs, {}, std::vector<double>(n * quadrature.size()), {}};
+        Cell one;
+        one.unknowns.resize(n);
+        one.gradients.resize(n * quadrature.size());
         one.weights = values.get_JxW_values();
         for (unsigned int i = 0; i < n; ++i)
           {
             const auto component = element.system_to_component_index(i);
-            one.dofs[3 * component.second + component.first] = dofs[i];
+            one.unknowns[3 * component.second + component.first] =
+              unknowns[dofs[i]];
             if (component.first == 0)
               for (unsigned int q = 0; q < quadrature.size(); ++q)
                 for (unsigned int d = 0; d < 3; ++d)
@@ -235,47 +338,61 @@ private:
             mapping.transform_unit_to_real_cell(cell, point));
         cells.push_back(one);
       }
+
+    std::vector<std::vector<unsigned int>> coupled;
+    for (const Cell &cell : cells)
+      {
+        coupled.emplace_back();
+        for (const unsigned int i : cell.unknowns)
+          if (i != held)
+            coupled.back().push_back(i);
+      }
+    system.set_pattern(load.size(), coupled);
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (const unsigned int i : coupled[c])
+        for (const unsigned int j : coupled[c])
+          cells[c].entries.push_back(system.place(i, j));
   }
 
 
 
   /**
-   * Add forces of the cells to @p residual and fill the matrix; return false,
-   * the residual as it was, if there is no energy.
+   * Fill the matrix, and @p residual with the forces of the cells less a part
+   * of the load; return false if there is no energy.
    */
   bool
-  assemble(Vector<double> &residual)
+  assemble(const double part, std::vector<double> &residual)
   {
     const unsigned int        n = element.n_dofs_per_cell(), n_nodes = n / 3;
     std::vector<Tensor<1, 3>> positions(n_nodes);
     std::vector<double>       forces(n), stiffness(n * n);
-    FullMatrix<double>        cell_matrix(n, n);
-    Vector<double>            cell_residual(n);
 
-    const Vector<double> before(residual);
-    matrix = 0.;
+    for (unsigned int k = 0; k < load.size(); ++k)
+      residual[k] = -part * load[k];
+    std::fill(system.values.begin(), system.values.end(), 0.);
     for (const Cell &cell : cells)
       {
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          for (unsigned int d = 0; d < 3; ++d)
-            positions[a][d] =
-              cell.positions[a][d] + displacement(cell.dofs[3 * a + d]);
+        for (unsigned int i = 0; i < n; ++i)
+          positions[i / 3][i % 3] =
+            cell.positions[i / 3][i % 3] +
+            (cell.unknowns[i] == held ? 0. : displacement[cell.unknowns[i]]);
         const double energy = kernel.assemble(cell.gradients.data(),
                                               cell.weights.data(),
                                               positions.data(),
                                               forces.data(),
                                               stiffness.data());
         if (!std::isfinite(energy))
-          {
-            residual = before;
-            return false;
-          }
-        std::copy(forces.begin(), forces.end(), cell_residual.begin());
-        cell_matrix.fill(stiffness.data());
-        constraints.distribute_local_to_global(
-          cell_matrix, cell_residual, cell.dofs, matrix, residual);
+          return false;
+        auto entry = cell.entries.begin();
+        for (unsigned int i = 0; i < n; ++i)
+          if (cell.unknowns[i] != held)
+            {
+              residual[cell.unknowns[i]] += forces[i];
+              for (unsigned int j = 0; j < n; ++j)
+                if (cell.unknowns[j] != held)
+                  system.values[*entry++] += stiffness[i * n + j];
+            }
       }
-    constraints.set_zero(residual);
     return true;
   }
 
@@ -290,12 +407,14 @@ private:
     DoFTools::map_dofs_to_support_points(MappingQ1<3>(), handler, support);
     for (const auto i : vertical)
       if (support[i].distance(Point<3>(48., y, 0.)) < 1e-8)
-        return displacement(i);
+        return displacement[unknowns[i]];
     AssertThrow(false, ExcInternalError());
     return 0.;
   }
 
 
+
+  static constexpr unsigned int held = numbers::invalid_unsigned_int;
 
   const Case                               problem;
   const double                             thickness;
@@ -305,12 +424,11 @@ private:
   DoFHandler<3>                            handler;
   std::unique_ptr<Heddle::Solid::Material> material;
   Heddle::Solid::CellKernel                kernel;
-  AffineConstraints<double>                constraints;
-  std::vector<Cell>                        cells;
-  SparsityPattern                          pattern;
-  SparseMatrix<double>                     matrix;
-  Vector<double>                           load;
-  Vector<double>                           displacement;
+  std::vector<unsigned int> unknowns; /**< of each dof, or held */
+  std::vector<Cell>         cells;
+  SparseSystem              system;
+  std::vector<double>       load;
+  std::vector<double>       displacement;
 };
 
 
@@ -381,9 +499,9 @@ print(const Case                      &problem,
 
 
 int
-main()
+main(int argc, char **argv)
 {
-  initlog();
+  const MPITest mpi(argc, argv);
 
   deallog << "plane stress, linear, nu 1/3" << std::endl;
   const Case stress{"linear", 1., 1. / 3., false, 1., 1};
