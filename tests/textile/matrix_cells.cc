@@ -45,6 +45,8 @@ triangulate(const std::string &pattern, const bool leave_out)
   const WovenFabric     fabric(pattern, 4, 2);
   MatrixMeshDescription description;
   description.leave_out = leave_out;
+  // Of the default, which are 43 x 43 x 11, Debug has more than it needs.
+  description.n_cells = {{28, 28, 11}};
   const MatrixMesh mesh(description, fabric.fibers, fabric.nodes);
 
   std::vector<CellData<3>> cells;
