@@ -177,12 +177,15 @@ loose_cells()
 
 
 
-constexpr double radius = 0.3;
+constexpr double thick = 0.3, thin = 0.01;
 
 
 
 void
-cut(const unsigned int n, const Tensor<1, 3> &begin, const Tensor<1, 3> &end)
+cut(const unsigned int  n,
+    const Tensor<1, 3> &begin,
+    const Tensor<1, 3> &end,
+    const double        radius = thick)
 {
   const std::vector<FiberAxis> fibers = {{{begin, end}, radius, no_id}};
   MatrixMeshDescription        description;
@@ -239,8 +242,8 @@ volumes_of_fibers()
 {
   const Tensor<1, 3> low({-1., 0., 0.}), high({1., 0., 0.});
   deallog << "A quarter of the section over that of a cell, 2 cells: "
-          << numbers::PI * radius * radius / 4.
-          << ", 4 cells: " << numbers::PI * radius * radius << std::endl;
+          << numbers::PI * thick * thick / 4.
+          << ", 4 cells: " << numbers::PI * thick * thick << std::endl;
   for (const unsigned int n : {2, 4, 8, 16, 32})
     cut(n, low, high);
   deallog << "Askew, out of the block at both ends: its length over 2 is "
@@ -250,6 +253,9 @@ volumes_of_fibers()
   deallog << "Half of it above the block" << std::endl;
   for (const unsigned int n : {4, 16})
     cut(n, Tensor<1, 3>({-1., 0., 1.}), Tensor<1, 3>({1., 0., 1.}));
+  deallog << "Thin, on a face, and on an edge" << std::endl;
+  for (const double y : {0.3, 1.})
+    cut(2, Tensor<1, 3>({-1., y, 1.}), Tensor<1, 3>({1., y, 1.}), thin);
 }
 
 

@@ -218,7 +218,7 @@ refuse_fabric(std::vector<FiberPath> paths)
 {
   try
     {
-      MeasuredFabric(paths, "fibers.csv").spacing();
+      MeasuredFabric(paths, "fibers.csv").width();
       deallog << "accepted" << std::endl;
     }
   catch (const Heddle::InputError &error)
@@ -231,8 +231,8 @@ refuse_fabric(std::vector<FiberPath> paths)
 
 /**
  * Fibers of a measured fabric all run towards larger x or y, whichever end they
- * begin at; its yarns are counted and their spacing is that of their middles. A
- * file that is no fabric is refused in one sentence.
+ * begin at; its yarns are counted, and side by side in its width. A file that
+ * is no fabric is refused in one sentence.
  */
 void
 fabrics()
@@ -247,9 +247,9 @@ fabrics()
   for (const FiberPath &path : paths)
     deallog << path.set << " from " << path.points.front() << " to "
             << path.points.back() << std::endl;
-  deallog << fabric.n_yarns()[0] << " warp yarns at " << fabric.spacing()[0]
-          << ", " << fabric.n_yarns()[1] << " weft yarns at "
-          << fabric.spacing()[1] << std::endl;
+  deallog << fabric.n_yarns()[0] << " warp yarns, " << fabric.width()[0]
+          << " wide, " << fabric.n_yarns()[1] << " weft yarns, "
+          << fabric.width()[1] << std::endl;
 
   // Lost while it was traced.
   deallog << "short: \"" << fabric.short_fibers() << '"' << std::endl;
@@ -264,6 +264,24 @@ fabrics()
   refuse_fabric(
     {fiber("warp", 0, 1.), fiber("warp", 1, 2.), fiber("weft", 2, 2.)});
   paths[1].set = "warp";
+  refuse_fabric(paths);
+
+  // Layers that lie over each other: three warp yarns 0.3 apart, two weft yarns
+  // 0.5 apart. Of the latter the first column alone has no width.
+  paths.clear();
+  const auto stack = [&paths](const std::string &set, const double across) {
+    paths.push_back(fiber(set, paths.size(), across));
+    paths.back().radius = 0.1;
+  };
+  for (const double across : {0., 0.05, 0.3, 0.35, 0.6, 0.65})
+    stack("warp", across);
+  for (const double across : {1., 1.04, 1.5, 1.5, 1.54})
+    stack("weft", across);
+  const MeasuredFabric layered(paths, "fibers.csv");
+  deallog << "layered: " << layered.n_yarns()[0] << " warp yarns, "
+          << layered.width()[0] << " wide, " << layered.n_yarns()[1]
+          << " weft yarns, " << layered.width()[1] << std::endl;
+  paths.resize(8);
   refuse_fabric(paths);
 }
 
