@@ -76,7 +76,9 @@ come_near()
   const auto result =
     newton.solve(scene.state(), stage.contributions, stage.aim);
   AssertThrow(result.converged, ExcInternalError());
-  return Solver::judge(*newton.system(), stage.contributions, {}, 0.);
+  const System::NodeStiffness none{
+    std::vector<double>(scene.space().n_fibers()), 0.};
+  return Solver::judge(*newton.system(), stage.contributions, {}, none);
 }
 
 

@@ -307,6 +307,31 @@ distances()
 
 
 
+/** What is said of weaves that are laid out, but may not be what was meant. */
+void
+notes()
+{
+  const auto print = [](const std::string                             &name,
+                        const std::function<void(WeaveDescription &)> &change) {
+    WeaveDescription description;
+    change(description);
+    const auto notes = Weave(description).notes();
+    deallog << name << ": " << notes.size() << " notes" << std::endl;
+    for (const std::string &note : notes)
+      deallog << note << std::endl;
+  };
+  print("default", [](WeaveDescription &) {});
+  print("short ends", [](WeaveDescription &weave) { weave.end_length = 0.25; });
+  print("narrow", [](WeaveDescription &weave) {
+    weave.weft.spacing = 0.5 * Weave(weave).weft_spacing();
+  });
+  print("warp on top", [](WeaveDescription &weave) { weave.pattern = "1"; });
+  print("one warp yarn over all",
+        [](WeaveDescription &weave) { weave.pattern = "1 0; 1 1"; });
+}
+
+
+
 int
 main()
 {
@@ -315,6 +340,7 @@ main()
   run_part("What is no pattern", no_patterns);
   run_part("Parameters", parameters);
   run_part("What is no weave", no_weaves);
+  run_part("Notes", notes);
   run_part("Paths of fibers", paths);
   run_part("Distances of fibers in the crimped start", distances);
 }
