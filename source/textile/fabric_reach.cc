@@ -37,6 +37,15 @@ namespace Heddle
           sum += which == 0 ? fiber.points.front() : fiber.points.back();
         return sum / double(strand.size());
       }
+
+
+
+      bool
+      runs_along(const Tensor<1, 3> &chord, const unsigned int d)
+      {
+        return std::abs(chord[d]) >= std::abs(chord[(d + 1) % 3]) &&
+               std::abs(chord[d]) >= std::abs(chord[(d + 2) % 3]);
+      }
     } // namespace
 
 
@@ -46,19 +55,17 @@ namespace Heddle
     {
       Extent extent;
       for (const FiberAxis &fiber : fibers)
-        for (unsigned int i = 0; i + 1 < fiber.points.size(); ++i)
-          {
-            const Tensor<1, 3> piece = fiber.points[i + 1] - fiber.points[i];
-            const double       along = piece[d] / piece.norm();
-            const double       beyond =
-              fiber.radius * std::sqrt(std::max(0., 1. - along * along));
-            for (const Tensor<1, 3> &point :
-                 {fiber.points[i], fiber.points[i + 1]})
-              {
-                extent.add(point[d] - beyond);
-                extent.add(point[d] + beyond);
-              }
-          }
+        {
+          const double beyond =
+            runs_along(fiber.points.back() - fiber.points.front(), d)
+              ? 0.
+              : fiber.radius;
+          for (const Tensor<1, 3> &point : fiber.points)
+            {
+              extent.add(point[d] - beyond);
+              extent.add(point[d] + beyond);
+            }
+        }
       return extent;
     }
 
@@ -76,8 +83,7 @@ namespace Heddle
           const Tensor<1, 3> chord = end - begin;
 
           // One that runs along z lies across both axes of the rectangle.
-          if (std::abs(chord[d]) >= std::abs(chord[1 - d]) &&
-              std::abs(chord[d]) >= std::abs(chord[2]))
+          if (runs_along(chord, d))
             {
               some_along  = true;
               common.low  = std::max(common.low, std::min(begin[d], end[d]));

@@ -61,12 +61,4 @@ main()
   fibers.push_back(
     {{Tensor<1, 3>({0., 7., 0.}), Tensor<1, 3>({4., 7., 0.})}, radius, no_id});
   show("with one of no yarn beside", fibers);
-
-  // At 30 degrees to x: sqrt(3)/2 of the radius beyond the ends of the axis.
-  const FiberAxis askew = {
-    {Tensor<1, 3>(), Tensor<1, 3>({3., std::sqrt(3.), 0.})}, radius, no_id};
-  const Extent width = extent_of({askew}, 1);
-  deallog << "Askew: over the axis and its ends by sqrt(3)/2 of the radius "
-          << -width.low / radius << ' ' << (width.high - std::sqrt(3.)) / radius
-          << std::endl;
 }

@@ -11,9 +11,8 @@ namespace Heddle
   namespace Textile
   {
     /**
-     * What holds fibers along axis @p d, surfaces included: a round fiber of
-     * radius R along the unit vector t reaches R sqrt(1 - t_d^2) beyond its
-     * axis, and nowhere beyond its ends if it runs along d [mm].
+     * What holds fibers along axis @p d, surfaces included: one reaches beyond
+     * its axis by its radius, but not beyond its ends if it runs along d [mm].
      */
     Extent
     extent_of(const std::vector<FiberAxis> &fibers, const unsigned int d);
