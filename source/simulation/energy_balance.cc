@@ -82,13 +82,14 @@ namespace Heddle
       if (std::abs(sum) <= large * std::max(path, little * std::abs(energy)))
         return "";
       std::ostringstream text;
-      text << std::setprecision(2) << 100. * std::abs(sum) / path
-           << " % of the work (" << std::abs(sum) << " N mm) ";
+      text << std::setprecision(2) << std::abs(sum) << " N mm";
+      if (path > 0.)
+        text << ", " << 100. * std::abs(sum) / path << " % of the work,";
       if (sum < 0.)
-        text << "is in no energy: fibers have snapped from one equilibrium to "
+        text << " is in no energy: fibers have snapped from one equilibrium to "
                 "another, or steps are too long";
       else
-        text << "was not done by supports or loads, and is in the energies: "
+        text << " was not done by supports or loads, and is in the energies: "
                 "steps are too long";
       text << " (history.csv, energy_imbalance)";
       return text.str();

@@ -40,10 +40,12 @@ namespace Heddle
 
 
 
+      /** A ring, whose ends are in one place, runs along no axis. */
       bool
       runs_along(const Tensor<1, 3> &chord, const unsigned int d)
       {
-        return std::abs(chord[d]) >= std::abs(chord[(d + 1) % 3]) &&
+        return chord[d] != 0. &&
+               std::abs(chord[d]) >= std::abs(chord[(d + 1) % 3]) &&
                std::abs(chord[d]) >= std::abs(chord[(d + 2) % 3]);
       }
     } // namespace
