@@ -51,35 +51,57 @@ tip_force()
 
 
 
+/** A cantilever of unit length and E I = 1 under a moment at its end. */
+class Turned : public Scene
+{
+public:
+  Turned(const std::string                &element,
+         const unsigned int                degree,
+         const unsigned int                n_knots,
+         const std::array<std::string, 3> &moment)
+  {
+    fibers.element_name  = element;
+    fibers.degree        = degree;
+    fibers.axial_modulus = 4e12 / M_PI;
+    fibers.poisson_ratio = 0.3;
+    clamp("first end");
+    add_load().moment = moment;
+    build({straight_path(Tensor<1, 3>(),
+                         Tensor<1, 3>({1., 0., 0.}),
+                         n_knots,
+                         /*radius=*/1e-3)});
+  }
+
+  /** Turn in so many equal steps; most iterations are those of one of them. */
+  void
+  turn(const unsigned int n_steps)
+  {
+    for (unsigned int step = 1; step <= n_steps; ++step)
+      {
+        const auto result = solve(double(step) / n_steps);
+        most              = std::max(most, result.iterations);
+        converged         = converged && result.converged;
+      }
+  }
+
+  unsigned int most      = 0;
+  bool         converged = true;
+};
+
+
+
 void
 roll_up_one(const std::string &element, const unsigned int degree)
 {
-  Scene scene;
-  scene.fibers.element_name  = element;
-  scene.fibers.degree        = degree;
-  scene.fibers.axial_modulus = 4e12 / M_PI;
-  scene.fibers.poisson_ratio = 0.3;
-  scene.clamp("first end");
-  scene.add_load().moment[2] = "2*pi*t";
-  scene.build({straight_path(Tensor<1, 3>(),
-                             Tensor<1, 3>({1., 0., 0.}),
-                             /*n_knots=*/49,
-                             /*radius=*/1e-3)});
-  unsigned int most      = 0;
-  bool         converged = true;
-  for (unsigned int step = 1; step <= 16; ++step)
-    {
-      const auto result = scene.solve(step / 16.);
-      most              = std::max(most, result.iterations);
-      converged         = converged && result.converged;
-    }
+  Turned scene(element, degree, /*n_knots=*/49, {{"0", "0", "2*pi*t"}});
+  scene.turn(16);
   const auto   values = scene.report();
   const double error  = std::hypot(values.at("load_1_displacement_x[mm]") + 1.,
                                   values.at("load_1_displacement_y[mm]"));
-  deallog << element << ' ' << degree << ": converged " << converged
-          << ", iterations at most " << most << ", error "
+  deallog << element << ' ' << degree << ": converged " << scene.converged
+          << ", iterations at most " << scene.most << ", error "
           << std::round(1e6 * error)
-          << verdict(converged && most <= 7 &&
+          << verdict(scene.converged && scene.most <= 7 &&
                      error < (degree == 1 ? 1e-2 : 1e-4))
           << std::endl;
 }
@@ -156,27 +178,13 @@ turn_in_space(const std::string &element,
   double             before      = 0.;
   for (unsigned int n = coarsest; n <= 4 * coarsest; n *= 2)
     {
-      Scene scene;
-      scene.fibers.element_name  = element;
-      scene.fibers.degree        = degree;
-      scene.fibers.axial_modulus = 4e12 / M_PI;
-      scene.fibers.poisson_ratio = 0.3;
-      scene.clamp("first end");
-      scene.add_load().moment = {{std::to_string(along * angle) + "*t",
-                                  "0",
-                                  std::to_string(across * angle) + "*t"}};
-      scene.build({straight_path(Tensor<1, 3>(),
-                                 Tensor<1, 3>({1., 0., 0.}),
-                                 /*n_knots=*/per_element * n + 1,
-                                 /*radius=*/1e-3)});
-      unsigned int most      = 0;
-      bool         converged = true;
-      for (unsigned int step = 1; step <= 5; ++step)
-        {
-          const auto result = scene.solve(step / 5.);
-          most              = std::max(most, result.iterations);
-          converged         = converged && result.converged;
-        }
+      Turned scene(element,
+                   degree,
+                   /*n_knots=*/per_element * n + 1,
+                   {{std::to_string(along * angle) + "*t",
+                     "0",
+                     std::to_string(across * angle) + "*t"}});
+      scene.turn(5);
       const auto   values = scene.report();
       Tensor<1, 3> end({1., 0., 0.});
       for (unsigned int d = 0; d < 3; ++d)
@@ -184,12 +192,12 @@ turn_in_space(const std::string &element,
           values.at(std::string("load_1_displacement_") + "xyz"[d] + "[mm]");
       const double error = (end - tip).norm();
       deallog << element << ' ' << degree << ", elements " << n
-              << ": converged " << converged << ", iterations at most " << most
-              << ", error " << std::round(1e7 * error) / 10.;
+              << ": converged " << scene.converged << ", iterations at most "
+              << scene.most << ", error " << std::round(1e7 * error) / 10.;
       if (before > 0. && error > floor)
         deallog << ", order "
                 << std::round(10. * std::log2(before / error)) / 10.;
-      deallog << verdict(converged && most <= 9 &&
+      deallog << verdict(scene.converged && scene.most <= 9 &&
                          (n < 4 * coarsest || error < allowed))
               << std::endl;
       before = error;
