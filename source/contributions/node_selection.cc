@@ -1,80 +1,17 @@
 #include <heddle/base/declared_parameters.h>
 #include <heddle/base/exceptions.h>
+#include <heddle/base/fiber_names.h>
 #include <heddle/contributions/node_selection.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 
 #include <limits>
-#include <map>
-#include <set>
 #include <sstream>
 
 namespace Heddle
 {
   namespace Contributions
   {
-    namespace
-    {
-      /** The words that stand for each fiber alone or with others of its yarn
-       * or set. */
-      std::vector<std::set<std::string>>
-      names_of_fibers(const System::FiberSpace &space)
-      {
-        std::map<std::string, std::set<unsigned int>> yarns_of_set;
-        for (unsigned int f = 0; f < space.n_fibers(); ++f)
-          if (space.fiber(f).yarn_id != numbers::invalid_unsigned_int)
-            yarns_of_set[space.fiber(f).set].insert(space.fiber(f).yarn_id);
-
-        std::vector<std::set<std::string>> names;
-        for (unsigned int f = 0; f < space.n_fibers(); ++f)
-          {
-            const System::Fiber &fiber = space.fiber(f);
-            names.push_back({"all", fiber.set, std::to_string(f)});
-            if (fiber.yarn_id == numbers::invalid_unsigned_int)
-              continue;
-            names[f].insert("yarn " + std::to_string(fiber.yarn_id));
-            const auto &yarns = yarns_of_set[fiber.set];
-            names[f].insert(fiber.set + ' ' +
-                            std::to_string(std::distance(
-                              yarns.begin(), yarns.find(fiber.yarn_id))));
-          }
-        return names;
-      }
-
-
-
-      /** Say which words would have been understood as fibers. */
-      [[noreturn]] void
-      complain_about_fibers(const System::FiberSpace &space,
-                            const std::string        &word,
-                            const std::string        &where)
-      {
-        std::set<std::string> sets;
-        bool                  has_yarns = false;
-        for (unsigned int f = 0; f < space.n_fibers(); ++f)
-          {
-            sets.insert(space.fiber(f).set);
-            has_yarns = has_yarns ||
-                        space.fiber(f).yarn_id != numbers::invalid_unsigned_int;
-          }
-        std::string names;
-        for (const std::string &set : sets)
-          if (!set.empty())
-            names += (names.empty() ? " \"" : ", \"") + set + "\"";
-        throw InputError(
-          where + ": \"Fibers\" names \"" + word +
-          "\", which is no fiber; there are the numbers 0 to " +
-          std::to_string(space.n_fibers() - 1) +
-          (names.empty() ? ", and no sets" : ", and the sets" + names) +
-          (has_yarns ? "; \"yarn 0\", or \"" + *sets.rbegin() +
-                         " 0\", are names of yarns."
-                     : "."));
-      }
-    } // namespace
-
-
-
     void
     NodeSelection::add_parameters(ParameterAcceptor &owner)
     {
@@ -114,26 +51,12 @@ namespace Heddle
     NodeSelection::find_fibers(const System::FiberSpace &space,
                                const std::string        &where) const
     {
-      std::set<unsigned int> found;
       if (fibers == "none")
         return {};
-      const auto names = names_of_fibers(space);
-      for (const std::string &word : Utilities::split_string_list(fibers))
-        {
-          bool known = false;
-          for (unsigned int f = 0; f < space.n_fibers(); ++f)
-            if (names[f].count(word) > 0)
-              {
-                found.insert(f);
-                known = true;
-              }
-          if (!known)
-            complain_about_fibers(space, word, where);
-        }
-      require(!found.empty(),
-              where + ": \"Fibers\" is empty; write \"all\", names of sets, or "
-                      "numbers.");
-      return {found.begin(), found.end()};
+      std::vector<FiberName> names;
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        names.push_back({space.fiber(f).set, space.fiber(f).yarn_id});
+      return FiberNames(names).find(fibers, where);
     }
 
 

@@ -1,3 +1,4 @@
+#include <heddle/base/exceptions.h>
 #include <heddle/simulation/fiber_parameters.h>
 
 namespace Heddle
@@ -29,61 +30,7 @@ namespace Heddle
         "centerlines from a file, which have an element length [-].",
         prm,
         Patterns::Integer(1));
-      add_parameter("Axial modulus",
-                    axial_modulus,
-                    "Young's modulus along the fiber [MPa].",
-                    prm,
-                    Patterns::Double(1e-12));
-      add_parameter(
-        "Shear modulus",
-        shear_modulus,
-        "Shear modulus; 0: of an isotropic fiber, E / (2 (1 + nu)). "
-        "Carbon and aramid are far softer. Where it is less than about a "
-        "hundredth of the axial modulus few and thick fibers kink as they "
-        "cross, and an equilibrium may not be found. Inactive for 'hermite' "
-        "[MPa].",
-        prm,
-        Patterns::Double(0.));
-      add_parameter("Poisson ratio",
-                    poisson_ratio,
-                    "Contraction of the section over axial strain [-].",
-                    prm,
-                    Patterns::Double(0., 0.49));
-      add_parameter(
-        "Axial stiffness",
-        axial_stiffness,
-        "E A of all fibers, in place of that of the circle; 0: of the "
-        "circle [N].",
-        prm,
-        Patterns::Double(0.));
-      add_parameter("Bending stiffness",
-                    bending_stiffness,
-                    "E I of all fibers, in place of that of the circle; 0: of "
-                    "the circle [N mm^2].",
-                    prm,
-                    Patterns::Double(0.));
-      add_parameter("Torsional stiffness",
-                    torsional_stiffness,
-                    "G J, in place of that of the circle; 0: of the circle. "
-                    "Inactive for 'hermite' [N mm^2].",
-                    prm,
-                    Patterns::Double(0.));
-      add_parameter("Shear stiffness",
-                    shear_stiffness,
-                    "k G A, in place of that of the circle; 0: of the "
-                    "circle, with k = 1. "
-                    "Inactive for 'hermite' [N].",
-                    prm,
-                    Patterns::Double(0.));
-      add_parameter(
-        "Section stiffness",
-        section_stiffness,
-        "S A, by which sections resist changes of their shape; 0: "
-        "that of an isotropic fiber, S = E / (2 (1 + nu)), whatever "
-        "the shear modulus. Soft sections flatten where a fiber "
-        "is bent, and it kinks. Inactive for 'hermite' [N].",
-        prm,
-        Patterns::Double(0.));
+      material.add_parameters(*this);
     }
 
 
@@ -96,37 +43,32 @@ namespace Heddle
 
 
 
-    Beam::Section
-    FiberParameters::section(const double radius,
-                             const double filament_radius) const
+    std::vector<unsigned int>
+    FiberParameters::materials_of(const std::vector<FiberName> &fibers) const
     {
-      Beam::Section section = Beam::circular_section(
-        radius,
-        axial_modulus,
-        shear_modulus > 0. ? shear_modulus
-                           : axial_modulus / (2. * (1. + poisson_ratio)),
-        poisson_ratio);
-      if (filament_radius > 0.)
+      const FiberNames          names(fibers);
+      std::vector<unsigned int> numbers(fibers.size(), 0);
+      for (unsigned int i = 0; i < materials.size(); ++i)
         {
-          const double ratio = filament_radius / radius;
-          section.bending *= ratio * ratio;
-          section.torsion *= ratio * ratio;
-          section.gradient *= ratio * ratio;
+          const std::string where = "Fiber/Material " + std::to_string(i + 1);
+          for (const unsigned int f : names.find(materials[i]->fibers, where))
+            {
+              require(numbers[f] == 0,
+                      where + ": \"Fibers\" has fiber " + std::to_string(f) +
+                        ", and so has Material " + std::to_string(numbers[f]) +
+                        "; a fiber is of one material.");
+              numbers[f] = i + 1;
+            }
         }
-      if (axial_stiffness > 0.)
-        section.axial = axial_stiffness;
-      if (bending_stiffness > 0.)
-        section.bending = bending_stiffness;
-      if (torsional_stiffness > 0.)
-        section.torsion = torsional_stiffness;
-      if (shear_stiffness > 0.)
-        section.shear = shear_stiffness;
-      if (section_stiffness > 0.)
-        {
-          section.gradient *= section_stiffness / section.thickness;
-          section.thickness = section_stiffness;
-        }
-      return section;
+      return numbers;
+    }
+
+
+
+    const FiberMaterial &
+    FiberParameters::material_number(const unsigned int number) const
+    {
+      return number == 0 ? material : materials[number - 1]->material;
     }
   } // namespace Simulation
 } // namespace Heddle

@@ -36,11 +36,18 @@ namespace Heddle
                const FiberParameters                 &parameters,
                const MPI_Comm                         communicator)
     {
-      auto               element     = parameters.element();
-      const unsigned int per_element = element->n_nodes() - 1;
-      std::vector<System::FiberSpace::Description> descriptions;
+      auto                   element     = parameters.element();
+      const unsigned int     per_element = element->n_nodes() - 1;
+      std::vector<FiberName> names;
       for (const Textile::FiberPath &path : paths)
+        names.push_back({path.set, path.yarn_id});
+      const std::vector<unsigned int> materials =
+        parameters.materials_of(names);
+
+      std::vector<System::FiberSpace::Description> descriptions;
+      for (unsigned int f = 0; f < paths.size(); ++f)
         {
+          const Textile::FiberPath &path = paths[f];
           Assert((path.points.size() - 1) % per_element == 0,
                  ExcMessage("A path has no whole number of elements."));
           const unsigned int n_elements =
@@ -52,7 +59,8 @@ namespace Heddle
              path.yarn_id,
              path.bundle_id,
              path.set,
-             parameters.section(path.radius, path.filament_radius)});
+             parameters.material_number(materials[f])
+               .section(path.radius, path.filament_radius)});
         }
       return std::make_unique<System::FiberSpace>(
         communicator, std::move(element), descriptions);

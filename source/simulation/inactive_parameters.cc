@@ -124,13 +124,18 @@ namespace Heddle
           {"Linear solver/Direct below with contact",
            "Linear solver/Kind",
            {"automatic"}}};
-        for (const std::string entry : {"Degree",
-                                        "Shear modulus",
-                                        "Torsional stiffness",
-                                        "Shear stiffness",
-                                        "Section stiffness"})
-          conditions.push_back(
-            {"Fiber/" + entry, "Fiber/Element", {"director"}});
+        conditions.push_back({"Fiber/Degree", "Fiber/Element", {"director"}});
+        std::vector<std::string> materials = {"Fiber/"};
+        for (unsigned int i = 1; i <= file.count_sections("Fiber", "Material");
+             ++i)
+          materials.push_back("Fiber/Material " + std::to_string(i) + "/");
+        for (const std::string &material : materials)
+          for (const std::string entry : {"Shear modulus",
+                                          "Torsional stiffness",
+                                          "Shear stiffness",
+                                          "Section stiffness"})
+            conditions.push_back(
+              {material + entry, "Fiber/Element", {"director"}});
         if (value_of("Contact/Friction of sets").empty())
           for (const std::string path : {"Contact/Friction of crossed fibers",
                                          "Contact/Reversible displacement",

@@ -11,6 +11,7 @@ namespace Heddle
       : supports(Contributions::declare_supports(file))
       , loads(Contributions::declare_loads(file))
     {
+      fiber.materials = declare_materials(file);
       file.apply();
       newton.choose_for(run.is_fabric(), centerlines.straight_when_free);
     }

@@ -124,6 +124,29 @@ namespace Heddle
 
 
 
+      /** How many fibers are of each material, a line if there are several. */
+      std::string
+      materials_in_words(const System::FiberSpace &space,
+                         const FiberParameters    &parameters)
+      {
+        if (parameters.materials.empty())
+          return "";
+        std::vector<FiberName> names;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          names.push_back({space.fiber(f).set, space.fiber(f).yarn_id});
+        const auto  numbers = parameters.materials_of(names);
+        std::string text;
+        for (unsigned int i = 0; i <= parameters.materials.size(); ++i)
+          text +=
+            (i == 0 ? "Materials      " : ", ") +
+            std::to_string(std::count(numbers.begin(), numbers.end(), i)) +
+            (i == 0 ? " fibers of section Fiber"
+                    : " of Material " + std::to_string(i));
+        return text + '\n';
+      }
+
+
+
       /** Sheared by more, a linear matrix is off by some percent [degrees]. */
       constexpr double large_angle = 10.;
 
@@ -140,7 +163,7 @@ namespace Heddle
         log << "Fibers         " << space.n_fibers();
         if (space.n_yarns() > 0)
           log << " in " << space.n_yarns() << " yarns";
-        log << '\n';
+        log << '\n' << materials_in_words(space, parameters.fiber);
         if (scene.weave())
           print_weights(log, *scene.weave(), parameters.weave.description());
         if (scene.is_fabric() &&

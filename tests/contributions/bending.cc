@@ -18,12 +18,12 @@ tip_force()
     for (const double slenderness : {10., 100., 1000., 10000.})
       {
         Scene scene;
-        scene.fibers.element_name  = element;
-        scene.fibers.degree        = 3;
-        scene.fibers.axial_modulus = 1.;
-        scene.fibers.poisson_ratio = 0.;
-        const double radius        = .5 / slenderness;
-        const double bending       = M_PI / 4. * std::pow(radius, 4);
+        scene.fibers.element_name           = element;
+        scene.fibers.degree                 = 3;
+        scene.fibers.material.axial_modulus = 1.;
+        scene.fibers.material.poisson_ratio = 0.;
+        const double radius                 = .5 / slenderness;
+        const double bending                = M_PI / 4. * std::pow(radius, 4);
         scene.clamp("first end");
         auto              &load = scene.add_load();
         std::ostringstream force;
@@ -60,10 +60,10 @@ public:
          const unsigned int                n_knots,
          const std::array<std::string, 3> &moment)
   {
-    fibers.element_name  = element;
-    fibers.degree        = degree;
-    fibers.axial_modulus = 4e12 / M_PI;
-    fibers.poisson_ratio = 0.3;
+    fibers.element_name           = element;
+    fibers.degree                 = degree;
+    fibers.material.axial_modulus = 4e12 / M_PI;
+    fibers.material.poisson_ratio = 0.3;
     clamp("first end");
     add_load().moment = moment;
     build({straight_path(Tensor<1, 3>(),

@@ -18,8 +18,8 @@ prescribe(Scene             &scene,
           const std::string &along_x,
           const std::string &along_z)
 {
-  scene.fibers.element_name  = element;
-  scene.fibers.axial_modulus = 1e4;
+  scene.fibers.element_name           = element;
+  scene.fibers.material.axial_modulus = 1e4;
   for (const std::string fiber : {"0", "1"})
     {
       auto &support        = scene.clamp("all", fiber);

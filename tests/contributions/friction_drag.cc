@@ -23,11 +23,11 @@ describe(Scene                      &scene,
          const std::string          &drag,
          const std::string          &pull)
 {
-  scene.fibers.element_name       = element;
-  scene.fibers.axial_modulus      = modulus;
-  scene.newton.residual_tolerance = 1e-12;
-  contact.friction                = friction;
-  contact.reversible_displacement = reversible;
+  scene.fibers.element_name           = element;
+  scene.fibers.material.axial_modulus = modulus;
+  scene.newton.residual_tolerance     = 1e-12;
+  contact.friction                    = friction;
+  contact.reversible_displacement     = reversible;
   scene.clamp("first end", "0");
   scene.clamp("last end", "0");
   for (const std::string end : {"first end", "last end"})

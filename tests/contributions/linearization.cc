@@ -5,10 +5,10 @@
 std::unique_ptr<Scene>
 make_scene(const std::string &element)
 {
-  auto scene                  = std::make_unique<Scene>();
-  scene->fibers.element_name  = element;
-  scene->fibers.degree        = 2;
-  scene->fibers.axial_modulus = 1e3;
+  auto scene                           = std::make_unique<Scene>();
+  scene->fibers.element_name           = element;
+  scene->fibers.degree                 = 2;
+  scene->fibers.material.axial_modulus = 1e3;
   scene->clamp("first end");
   auto &turned           = scene->add_support();
   turned.nodes.nodes     = "last end";
@@ -76,9 +76,9 @@ test_composite(const std::string &element,
     mesh(3, 2, Tensor<1, 3>({3., 1., 1.})) + " set Law = " + law +
     "\n set Coupling points per element = " + std::to_string(n_points) +
     "\n set Coupling stiffness factor = 20\n");
-  scene.fibers.element_name       = element;
-  scene.fibers.axial_modulus      = 100.;
-  scene.hold({"x-"}).displacement = {{"0", "0", "0"}};
+  scene.fibers.element_name           = element;
+  scene.fibers.material.axial_modulus = 100.;
+  scene.hold({"x-"}).displacement     = {{"0", "0", "0"}};
   scene.embed({straight_path(Tensor<1, 3>({0.1, 0.2, 0.3}),
                              Tensor<1, 3>({2.8, 0.9, 0.6}),
                              9,

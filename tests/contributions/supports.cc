@@ -20,10 +20,10 @@ rounded(const double x)
 std::unique_ptr<Scene>
 make_scene(const std::string &element)
 {
-  auto scene                  = std::make_unique<Scene>();
-  scene->fibers.element_name  = element;
-  scene->fibers.degree        = 2;
-  scene->fibers.axial_modulus = 1. / (M_PI * radius * radius);
+  auto scene                           = std::make_unique<Scene>();
+  scene->fibers.element_name           = element;
+  scene->fibers.degree                 = 2;
+  scene->fibers.material.axial_modulus = 1. / (M_PI * radius * radius);
   return scene;
 }
 
@@ -156,41 +156,10 @@ test_tangent_component()
 
 
 
-/** Two yarns of the warp and two of the weft, in turn, of two fibers each. */
-void
-test_names()
-{
-  std::vector<Textile::FiberPath> paths;
-  for (unsigned int f = 0; f < 8; ++f)
-    {
-      const Tensor<1, 3> begin({0., 0.5 * f, 0.});
-      paths.push_back(
-        straight_path(begin, begin + Tensor<1, 3>({1., 0., 0.}), 17, radius));
-      const unsigned int turn = f / 2;
-      paths.back().set        = turn % 2 == 0 ? "warp" : "weft";
-      paths.back().yarn_id    = turn / 2 + (turn % 2 == 0 ? 0 : 2);
-    }
-  const auto space = Simulation::make_space(
-    paths, Simulation::FiberParameters(), MPI_COMM_WORLD);
-  for (const std::string fibers :
-       {"warp", "warp 1", "weft 0", "yarn 3", "5", "warp 0, weft 1, 2"})
-    {
-      Contributions::NodeSelection nodes;
-      nodes.fibers = fibers;
-      deallog << '"' << fibers << "\":";
-      for (const unsigned int f : nodes.find_fibers(*space, "here"))
-        deallog << ' ' << f;
-      deallog << std::endl;
-    }
-}
-
-
-
 int
 main(int argc, char **argv)
 {
   MPITest mpi(argc, argv);
-  test_names();
   for (const std::string element : {"hermite", "director"})
     {
       test_displacements(element);

@@ -51,7 +51,7 @@ check(const unsigned int n_fibers)
         yarn.torsion += section.torsion;
         yarn.gradient += section.gradient;
       }
-  const Beam::Section filament = fiber_parameters.section(0.0045);
+  const Beam::Section filament = fiber_parameters.material.section(0.0045);
   const double        n =
     68. / (1000. * 2.6 * numbers::PI * 0.0045 * 0.0045); // filaments
   deallog << n_fibers << " fibers: "

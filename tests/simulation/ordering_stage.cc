@@ -82,9 +82,9 @@ order(const std::string &pattern, const std::string &element)
 {
   const Textile::Weave        weave(two_yarns(pattern));
   Simulation::FiberParameters fiber;
-  fiber.element_name  = element;
-  fiber.axial_modulus = 1000.;
-  const auto    paths = weave.paths(24);
+  fiber.element_name           = element;
+  fiber.material.axial_modulus = 1000.;
+  const auto    paths          = weave.paths(24);
   const auto    space = Simulation::make_space(paths, fiber, MPI_COMM_WORLD);
   System::State state(*space);
   state.set(Simulation::place_on_paths(*space, paths));

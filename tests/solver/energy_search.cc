@@ -15,9 +15,9 @@ describe_loaded(Scene             &scene,
                 const std::string &motion,
                 const std::string (&load)[3])
 {
-  scene.fibers.element_name       = element;
-  scene.fibers.elements_per_fiber = 20;
-  scene.fibers.axial_modulus      = 1e4;
+  scene.fibers.element_name           = element;
+  scene.fibers.elements_per_fiber     = 20;
+  scene.fibers.material.axial_modulus = 1e4;
   for (const std::string end : {"first end", "last end"})
     {
       auto &support        = scene.add_support();

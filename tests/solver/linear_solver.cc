@@ -122,19 +122,19 @@ public:
     ParameterAcceptor::prm.parse_input_from_string(entries.str());
     ParameterAcceptor::parse_all_parameters();
 
-    fibers.element_name  = "director";
-    fibers.axial_modulus = 1000.;
-    linear.kind          = kind;
-    linear.tolerance     = 1e-10;
-    auto &foot           = add_support();
-    foot.nodes.nodes     = "first end";
-    foot.matrix_sides    = {"x-"};
-    foot.displacement    = {{"0", "0", "0"}};
-    foot.section         = "held";
-    auto &pull           = add_support();
-    pull.nodes.fibers    = "none";
-    pull.matrix_sides    = {"x+"};
-    pull.displacement    = {{"0.2", "0.1", "0.05"}};
+    fibers.element_name           = "director";
+    fibers.material.axial_modulus = 1000.;
+    linear.kind                   = kind;
+    linear.tolerance              = 1e-10;
+    auto &foot                    = add_support();
+    foot.nodes.nodes              = "first end";
+    foot.matrix_sides             = {"x-"};
+    foot.displacement             = {{"0", "0", "0"}};
+    foot.section                  = "held";
+    auto &pull                    = add_support();
+    pull.nodes.fibers             = "none";
+    pull.matrix_sides             = {"x+"};
+    pull.displacement             = {{"0.2", "0.1", "0.05"}};
 
     std::vector<Textile::FiberPath> paths;
     for (const double across : {0.7, 2.1, 3.3})

@@ -67,10 +67,10 @@ class Bundle
 public:
   Bundle(const unsigned int n_elements, const double reversible)
   {
-    scene.fibers.element_name       = "director";
-    scene.fibers.axial_modulus      = modulus;
-    scene.fibers.poisson_ratio      = 0.3;
-    scene.newton.residual_tolerance = 1e-7;
+    scene.fibers.element_name           = "director";
+    scene.fibers.material.axial_modulus = modulus;
+    scene.fibers.material.poisson_ratio = 0.3;
+    scene.newton.residual_tolerance     = 1e-7;
     scene.clamp("first end");
     auto &pressure = scene.add_load();
     for (unsigned int d = 1; d < 3; ++d)

@@ -71,12 +71,12 @@ pull(const double angle, const double friction, const unsigned int n_elements)
   contact.friction        = friction;
   contact.search_distance = 0.1;
   Scene scene;
-  scene.fibers.element_name      = "director";
-  scene.fibers.degree            = 2;
-  scene.fibers.axial_modulus     = 1e5;
-  scene.fibers.poisson_ratio     = 0.;
-  scene.fibers.bending_stiffness = 2.5e-5;
-  scene.newton.damping           = 0.;
+  scene.fibers.element_name               = "director";
+  scene.fibers.degree                     = 2;
+  scene.fibers.material.axial_modulus     = 1e5;
+  scene.fibers.material.poisson_ratio     = 0.;
+  scene.fibers.material.bending_stiffness = 2.5e-5;
+  scene.newton.damping                    = 0.;
   scene.clamp("all", "0");
   auto &slack        = scene.add_support();
   slack.nodes.fibers = "1";

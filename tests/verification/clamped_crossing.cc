@@ -133,9 +133,9 @@ computed_force(const std::string &element,
                bool              &converged)
 {
   Scene scene;
-  scene.fibers.element_name  = element;
-  scene.fibers.axial_modulus = modulus;
-  scene.fibers.poisson_ratio = poisson_ratio;
+  scene.fibers.element_name           = element;
+  scene.fibers.material.axial_modulus = modulus;
+  scene.fibers.material.poisson_ratio = poisson_ratio;
   for (const std::string fiber : {"0", "1"})
     for (const std::string end : {"first end", "last end"})
       {

@@ -17,12 +17,12 @@ modulus_across(const double poisson_ratio, const double factor)
     mesh(8, 4, Tensor<1, 3>({length, 1., 1.})) +
     " set Poisson ratio = " + std::to_string(poisson_ratio) +
     "\n set Coupling stiffness factor = " + std::to_string(factor) + "\n");
-  scene.fibers.element_name          = "hermite";
-  scene.fibers.axial_modulus         = 1000.;
-  scene.hold({"x-"}).displacement[0] = "0";
-  scene.hold({"z-"}).displacement[2] = "0";
-  scene.hold({"y-"}).displacement[1] = "0";
-  scene.hold({"y+"}).displacement[1] = "1e-5";
+  scene.fibers.element_name           = "hermite";
+  scene.fibers.material.axial_modulus = 1000.;
+  scene.hold({"x-"}).displacement[0]  = "0";
+  scene.hold({"z-"}).displacement[2]  = "0";
+  scene.hold({"y-"}).displacement[1]  = "0";
+  scene.hold({"y+"}).displacement[1]  = "1e-5";
   std::vector<Textile::FiberPath> paths;
   for (unsigned int i = 0; i < 16; ++i)
     {
@@ -54,8 +54,8 @@ yielding_along(const unsigned int n_cells)
                   " set Poisson ratio = 0.3\n"
                          " set Coupling points per element = 2\n");
   scene.fibers.element_name                         = "director";
-  scene.fibers.axial_modulus                        = 1000.;
-  scene.fibers.poisson_ratio                        = 0.;
+  scene.fibers.material.axial_modulus               = 1000.;
+  scene.fibers.material.poisson_ratio               = 0.;
   scene.hold({"y-", "y+", "z-", "z+"}).displacement = {{"0", "0", "0"}};
   // Only displacements along the fiber: those do not depend on x.
   scene.hold({"x-", "x+"}).displacement = {{"free", "0", "0"}};
@@ -93,11 +93,11 @@ bend(const double       modulus,
     mesh(n_cells, 2, Tensor<1, 3>({length, 1., 1.})) +
     " set Poisson ratio = 0\n set Degree = " + std::to_string(degree) +
     "\n set Coupling stiffness factor = " + std::to_string(factor) + "\n");
-  scene.fibers.element_name          = "hermite";
-  scene.fibers.axial_modulus         = modulus;
-  scene.fibers.poisson_ratio         = 0.;
-  scene.hold({"x-"}).displacement    = {{"0", "0", "0"}};
-  scene.hold({"x+"}).displacement[2] = std::to_string(displacement);
+  scene.fibers.element_name           = "hermite";
+  scene.fibers.material.axial_modulus = modulus;
+  scene.fibers.material.poisson_ratio = 0.;
+  scene.hold({"x-"}).displacement     = {{"0", "0", "0"}};
+  scene.hold({"x+"}).displacement[2]  = std::to_string(displacement);
   scene.embed({straight_path(Tensor<1, 3>({0., 0.5, 0.5}),
                              Tensor<1, 3>({length, 0.5, 0.5}),
                              n_cells * n_per_cell + 1,

@@ -3,6 +3,7 @@
 // three springs in series, D = F (1 / k1 + 1 / k2) + d(F), with k = 48 EI / L^3
 // and the approach d of two crossing cylinders by the law of contact, whose
 // penalty is adapted. With an odd number of elements the force acts amid one.
+// Beams are of one material, or the upper one of another.
 #include <heddle/contributions/fiber_contact.h>
 
 #include "../contributions/scene.h"
@@ -37,28 +38,39 @@ crossing_force(const double penalty, const double threshold, const double h)
 
 /** Force of the springs in series, by bisection in the penetration. */
 double
-exact_force(const double penalty, const double threshold)
+exact_force(const double penalty, const double threshold, const double ratio)
 {
   const double bending = modulus * M_PI / 4. * std::pow(radius, 4);
   const double beam    = 48. * bending / std::pow(length, 3);
+  const double yields  = (1. + 1. / ratio) / beam;
   double       low = 0., high = approach;
   for (unsigned int i = 0; i < 50; ++i)
     {
       const double middle = 0.5 * (low + high);
       const double force =
         crossing_force(penalty, threshold, 2. * radius - middle);
-      (2. * force / beam + middle < approach ? low : high) = middle;
+      (force * yields + middle < approach ? low : high) = middle;
     }
   return crossing_force(penalty, threshold, 2. * radius - low);
 }
 
 
 
-/** Both beams, simply supported; the upper one comes down. */
+/**
+ * Both beams, simply supported; the upper one comes down. It is @p ratio times
+ * as stiff, by a material of its own unless this is 1.
+ */
 void
-describe(Scene &scene, const unsigned int n_elements)
+describe(Scene &scene, const unsigned int n_elements, const double ratio)
 {
-  scene.fibers.axial_modulus      = modulus;
+  scene.fibers.material.axial_modulus = modulus;
+  if (ratio != 1.)
+    {
+      scene.fibers.materials.push_back(
+        std::make_shared<Simulation::MaterialParameters>("/Fiber/Material 1"));
+      scene.fibers.materials[0]->fibers                 = "1";
+      scene.fibers.materials[0]->material.axial_modulus = ratio * modulus;
+    }
   scene.newton.damping            = 0.;
   scene.newton.residual_tolerance = 1e-8;
   for (const std::string fiber : {"0", "1"})
@@ -89,12 +101,15 @@ describe(Scene &scene, const unsigned int n_elements)
 
 /** Error of the force; @p before is that of a third of the elements. */
 double
-test(const unsigned int n_elements, const double threshold, const double before)
+test(const unsigned int n_elements,
+     const double       threshold,
+     const double       ratio,
+     const double       before)
 {
   Contact::ContactParameters contact;
   contact.threshold = threshold;
   Scene scene;
-  describe(scene, n_elements);
+  describe(scene, n_elements, ratio);
   const auto touch =
     std::make_shared<Contributions::FiberContact>(*scene.space, contact);
   scene.contributions.push_back(touch);
@@ -110,12 +125,12 @@ test(const unsigned int n_elements, const double threshold, const double before)
     values["support_1_force_z[N]"] + values["support_2_force_z[N]"];
   const double upper =
     values["support_3_force_z[N]"] + values["support_4_force_z[N]"];
-  const double exact = exact_force(penalty, threshold);
+  const double exact = exact_force(penalty, threshold, ratio);
   const double error = lower / exact - 1.;
   deallog << "elements " << n_elements << ", threshold " << threshold
-          << ": converged " << result.converged << ", forces balance "
-          << (std::abs(upper / lower + 1.) < 1e-5) << ", error "
-          << std::round(1e5 * error) << "e-5";
+          << ", ratio " << ratio << ": converged " << result.converged
+          << ", forces balance " << (std::abs(upper / lower + 1.) < 1e-5)
+          << ", error " << std::round(1e5 * error) << "e-5";
   if (before != 0.)
     deallog << ", order about "
             << std::round(std::log(before / error) / std::log(3.));
@@ -129,10 +144,11 @@ int
 main(int argc, char **argv)
 {
   MPITest mpi(argc, argv);
-  for (const double threshold : {0.02, 0.01})
-    {
-      double error = 0.;
-      for (const unsigned int n_elements : {5, 15, 45})
-        error = test(n_elements, threshold, error);
-    }
+  for (const double ratio : {1., 10.})
+    for (const double threshold : {0.02, 0.01})
+      {
+        double error = 0.;
+        for (const unsigned int n_elements : {5, 15, 45})
+          error = test(n_elements, threshold, ratio, error);
+      }
 }

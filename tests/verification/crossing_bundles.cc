@@ -41,10 +41,10 @@ main(int argc, char **argv)
 {
   MPITest mpi(argc, argv);
   Scene   scene;
-  scene.fibers.element_name   = "director";
-  scene.fibers.axial_modulus  = 1000.;
-  scene.fibers.poisson_ratio  = 0.3;
-  scene.newton.max_iterations = 200;
+  scene.fibers.element_name           = "director";
+  scene.fibers.material.axial_modulus = 1000.;
+  scene.fibers.material.poisson_ratio = 0.3;
+  scene.newton.max_iterations         = 200;
   for (const std::string end : {"first end", "last end"})
     {
       scene.clamp(end, "0, 1, 2, 3, 4, 5, 6");

@@ -54,17 +54,17 @@ closed_form(const double r,
 void
 describe(Scene &scene, const unsigned int n_elements)
 {
-  scene.fibers.axial_modulus     = 1e9;
-  scene.fibers.poisson_ratio     = 0.;
-  scene.fibers.axial_stiffness   = axial_stiffness;
-  scene.fibers.bending_stiffness = bending;
-  scene.newton.damping           = 0.;
-  auto &bottom                   = scene.add_support();
-  bottom.nodes.nodes             = "first end";
-  bottom.displacement            = {{"0", "0", "0"}};
-  bottom.held_tangent            = {"x"};
-  auto &top                      = scene.add_support();
-  top.nodes.nodes                = "last end";
+  scene.fibers.material.axial_modulus     = 1e9;
+  scene.fibers.material.poisson_ratio     = 0.;
+  scene.fibers.material.axial_stiffness   = axial_stiffness;
+  scene.fibers.material.bending_stiffness = bending;
+  scene.newton.damping                    = 0.;
+  auto &bottom                            = scene.add_support();
+  bottom.nodes.nodes                      = "first end";
+  bottom.displacement                     = {{"0", "0", "0"}};
+  bottom.held_tangent                     = {"x"};
+  auto &top                               = scene.add_support();
+  top.nodes.nodes                         = "last end";
   top.displacement = {{"x*(cos(2*pi*t)-1)", "x*sin(2*pi*t)", "0.0496472226*t"}};
   top.held_tangent = {"x"};
   std::vector<Textile::FiberPath> paths;

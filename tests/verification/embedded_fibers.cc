@@ -26,16 +26,16 @@ stretch_evenly()
                                (n_columns + 2) / 5,
                                Tensor<1, 3>({length, 1., 1.})) +
                           " set Poisson ratio = 0\n");
-          scene.fibers.element_name  = element;
-          scene.fibers.axial_modulus = fiber_modulus;
-          scene.fibers.poisson_ratio = 0.;
-          auto &ends                 = scene.add_support();
-          ends.nodes.nodes           = "first end";
-          ends.matrix_sides          = {"x-"};
-          ends.displacement          = {{"0", "0", "0"}};
-          auto &pull                 = scene.add_support();
-          pull.nodes.nodes           = "last end";
-          pull.matrix_sides          = {"x+"};
+          scene.fibers.element_name           = element;
+          scene.fibers.material.axial_modulus = fiber_modulus;
+          scene.fibers.material.poisson_ratio = 0.;
+          auto &ends                          = scene.add_support();
+          ends.nodes.nodes                    = "first end";
+          ends.matrix_sides                   = {"x-"};
+          ends.displacement                   = {{"0", "0", "0"}};
+          auto &pull                          = scene.add_support();
+          pull.nodes.nodes                    = "last end";
+          pull.matrix_sides                   = {"x+"};
           pull.displacement = {{std::to_string(strain) + "*x", "0", "0"}};
           scene.embed({straight_path(Tensor<1, 3>({0., 0.41, 0.57}),
                                      Tensor<1, 3>({length, 0.41, 0.57}),
@@ -71,11 +71,11 @@ bed_of_springs(const std::string &element,
                   " set Coupling stiffness factor = 12\n"
                          " set Coupling points per element = " +
                   std::to_string(n_points) + "\n");
-  scene.fibers.element_name  = element;
-  scene.fibers.axial_modulus = fiber_modulus;
-  scene.fibers.poisson_ratio = 0.;
-  auto &sides                = scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"});
-  sides.displacement         = {{"1e-5*x", "0", "0"}};
+  scene.fibers.element_name           = element;
+  scene.fibers.material.axial_modulus = fiber_modulus;
+  scene.fibers.material.poisson_ratio = 0.;
+  auto &sides        = scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"});
+  sides.displacement = {{"1e-5*x", "0", "0"}};
   scene.embed({straight_path(Tensor<1, 3>({0., 0.5, 0.5}),
                              Tensor<1, 3>({length, 0.5, 0.5}),
                              n_elements + 1,
@@ -131,13 +131,13 @@ lift_in_rigid_matrix(const std::string &element, const unsigned int n_points)
   Composite scene(
     mesh(5, 1, Tensor<1, 3>({10., 1., 1.})) +
     " set Coupling points per element = " + std::to_string(n_points) + "\n");
-  scene.fibers.element_name  = element;
-  scene.fibers.axial_modulus = 1000.;
-  scene.fibers.poisson_ratio = 0.;
-  auto &sides                = scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"});
-  sides.displacement         = {{"0", "0", "0"}};
-  auto &load                 = scene.add_load();
-  load.force_per_length      = {{"0", "0", "1e-4"}};
+  scene.fibers.element_name           = element;
+  scene.fibers.material.axial_modulus = 1000.;
+  scene.fibers.material.poisson_ratio = 0.;
+  auto &sides           = scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"});
+  sides.displacement    = {{"0", "0", "0"}};
+  auto &load            = scene.add_load();
+  load.force_per_length = {{"0", "0", "1e-4"}};
   scene.embed({straight_path(
     Tensor<1, 3>({0., 0.5, 0.5}), Tensor<1, 3>({10., 0.5, 0.5}), 14, 0.1)});
   scene.newton.residual_tolerance  = 1e-11;
@@ -161,11 +161,11 @@ pull_block(const unsigned int n_yz,
                   " set Youngs modulus = 100\n set Locking remedy = none\n"
                   " set Coupling stiffness factor = " +
                   std::to_string(factor) + "\n");
-  scene.fibers.element_name          = "hermite";
-  scene.fibers.axial_modulus         = 1e5;
-  scene.fibers.bending_stiffness     = 1e-3;
-  scene.hold({"x-"}).displacement[0] = "0";
-  scene.hold({"x+"}).displacement[0] = "0.04";
+  scene.fibers.element_name               = "hermite";
+  scene.fibers.material.axial_modulus     = 1e5;
+  scene.fibers.material.bending_stiffness = 1e-3;
+  scene.hold({"x-"}).displacement[0]      = "0";
+  scene.hold({"x+"}).displacement[0]      = "0.04";
 
   // The fibers next to an edge keep the block from floating.
   for (const std::string fiber : {"0", "3"})

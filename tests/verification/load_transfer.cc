@@ -23,8 +23,8 @@ transfer_length(const std::string &element,
   Composite          scene(mesh(n_elements, 1, Tensor<1, 3>({length, 4., 4.})) +
                   " set Coupling points per element = 2\n");
   scene.fibers.element_name                                     = element;
-  scene.fibers.axial_modulus                                    = ratio;
-  scene.fibers.poisson_ratio                                    = 0.;
+  scene.fibers.material.axial_modulus                           = ratio;
+  scene.fibers.material.poisson_ratio                           = 0.;
   scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"}).displacement = {
     {"1e-6*x", "0", "0"}};
   // Nothing else keeps the fiber from turning about its axis.

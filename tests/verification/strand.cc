@@ -95,11 +95,11 @@ stretch(const unsigned int n_elements,
   contact.threshold = threshold;
   contact.friction  = friction;
   Scene scene;
-  scene.fibers.element_name  = "director";
-  scene.fibers.degree        = 2;
-  scene.fibers.axial_modulus = modulus;
-  scene.fibers.poisson_ratio = 0.;
-  scene.newton.damping       = 0.;
+  scene.fibers.element_name           = "director";
+  scene.fibers.degree                 = 2;
+  scene.fibers.material.axial_modulus = modulus;
+  scene.fibers.material.poisson_ratio = 0.;
+  scene.newton.damping                = 0.;
   // The first wire has a support of its own: the torque is six times its.
   for (const std::string fibers : {"all", "0, 2, 3, 4, 5, 6", "1"})
     {

@@ -1,12 +1,15 @@
 #ifndef heddle_simulation_fiber_parameters_h
 #define heddle_simulation_fiber_parameters_h
 
+#include <heddle/base/fiber_names.h>
 #include <heddle/beam/element.h>
+#include <heddle/simulation/fiber_material.h>
 
 #include <deal.II/base/parameter_acceptor.h>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace Heddle
 {
@@ -14,7 +17,7 @@ namespace Heddle
   {
     using namespace dealii;
 
-    /** Material and finite element of the fibers. */
+    /** Finite element and materials of the fibers. */
     class FiberParameters : public ParameterAcceptor
     {
     public:
@@ -24,25 +27,23 @@ namespace Heddle
       element() const;
 
       /**
-       * Constants of the section of a fiber of this radius [mm]. If it stands
-       * for filaments of a smaller one, it bends and twists as they do side by
-       * side: $(R / r)^2$ filaments have the area of the fiber, and the part
-       * $(r / R)^2$ of its second moments.
+       * Return the number of the material of each fiber: 0 of this section, i
+       * of section *Material i* in it. Throw InputError if one of these names
+       * what is no fiber, or a fiber of another one.
        */
-      Beam::Section
-      section(const double radius, const double filament_radius = 0.) const;
+      std::vector<unsigned int>
+      materials_of(const std::vector<FiberName> &fibers) const;
 
-      std::string  element_name        = "hermite";
-      unsigned int degree              = 1;
-      unsigned int elements_per_fiber  = 36;
-      double       axial_modulus       = 72400.;
-      double       shear_modulus       = 0.;
-      double       poisson_ratio       = 0.22;
-      double       axial_stiffness     = 0.;
-      double       bending_stiffness   = 0.;
-      double       torsional_stiffness = 0.;
-      double       shear_stiffness     = 0.;
-      double       section_stiffness   = 0.;
+      /** Return the material of this number. */
+      const FiberMaterial &
+      material_number(const unsigned int number) const;
+
+      std::string  element_name       = "hermite";
+      unsigned int degree             = 1;
+      unsigned int elements_per_fiber = 36;
+
+      FiberMaterial material;
+      MaterialList  materials; /**< of fibers that differ; may be empty */
     };
   } // namespace Simulation
 } // namespace Heddle

@@ -1,0 +1,84 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/base/fiber_names.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <set>
+
+namespace Heddle
+{
+  FiberNames::FiberNames(const std::vector<FiberName> &fibers)
+    : n_fibers(fibers.size())
+  {
+    for (const FiberName &fiber : fibers)
+      {
+        auto &yarns = yarns_of_set[fiber.set];
+        if (fiber.yarn != numbers::invalid_unsigned_int)
+          yarns[fiber.yarn] = 0;
+      }
+    for (auto &set : yarns_of_set)
+      {
+        unsigned int place = 0;
+        for (auto &yarn : set.second)
+          yarn.second = place++;
+      }
+
+    for (unsigned int f = 0; f < n_fibers; ++f)
+      {
+        const auto &[set, yarn] = fibers[f];
+        fibers_of_word["all"].push_back(f);
+        fibers_of_word[std::to_string(f)].push_back(f);
+        if (!set.empty())
+          fibers_of_word[set].push_back(f);
+        if (yarn == numbers::invalid_unsigned_int)
+          continue;
+        fibers_of_word["yarn " + std::to_string(yarn)].push_back(f);
+        if (!set.empty())
+          fibers_of_word[set + ' ' + std::to_string(yarns_of_set[set][yarn])]
+            .push_back(f);
+      }
+  }
+
+
+
+  std::vector<unsigned int>
+  FiberNames::find(const std::string &words, const std::string &where) const
+  {
+    std::set<unsigned int> found;
+    for (const std::string &word : Utilities::split_string_list(words))
+      {
+        const auto fibers = fibers_of_word.find(word);
+        if (fibers == fibers_of_word.end())
+          complain(word, where);
+        found.insert(fibers->second.begin(), fibers->second.end());
+      }
+    require(!found.empty(),
+            where + ": \"Fibers\" is empty; write \"all\", names of sets, or "
+                    "numbers.");
+    return {found.begin(), found.end()};
+  }
+
+
+
+  void
+  FiberNames::complain(const std::string &word, const std::string &where) const
+  {
+    std::string sets, yarns;
+    for (const auto &[set, numbers] : yarns_of_set)
+      {
+        if (!set.empty())
+          sets += (sets.empty() ? " \"" : ", \"") + set + "\"";
+        if (!numbers.empty())
+          yarns = "; \"yarn " + std::to_string(numbers.begin()->first) + "\"" +
+                  (set.empty() ? "" : ", or \"" + set + " 0\",") +
+                  " is the name of a yarn";
+      }
+    throw InputError(
+      where + ": \"Fibers\" names \"" + word +
+      "\", which is no fiber; there are the numbers 0 to " +
+      std::to_string(n_fibers - 1) +
+      (sets.empty() ? ", and no sets" : ", and the sets" + sets) + yarns + ".");
+  }
+} // namespace Heddle
