@@ -175,21 +175,23 @@ namespace Heddle
   std::vector<ParameterFile::Entry>
   ParameterFile::unusual(const ParameterHandler &prm) const
   {
+    const auto full_name = [](const Statement &statement) {
+      return statement.path.empty()
+               ? statement.name
+               : join_path(statement.path) + "/" + statement.name;
+    };
+    std::map<std::string, const Statement *> last;
+    for (const Statement &statement : statements)
+      last[full_name(statement)] = &statement;
+
     const DeclaredParameters declared(prm);
     std::vector<Entry>       entries;
-    for (const auto &[where, path, name, value] : statements)
+    for (const Statement &statement : statements)
       {
-        if (name.empty())
-          continue;
-        const std::string entry =
-          path.empty() ? name : join_path(path) + "/" + name;
-        entries.erase(std::remove_if(entries.begin(),
-                                     entries.end(),
-                                     [&entry](const Entry &other) {
-                                       return other.path == entry;
-                                     }),
-                      entries.end());
-        if (!same_value(value, declared.usual_value(path, name)))
+        const auto &[where, path, name, value] = statement;
+        const std::string entry                = full_name(statement);
+        if (!name.empty() && last[entry] == &statement &&
+            !same_value(value, declared.usual_value(path, name)))
           entries.push_back({entry, where});
       }
     return entries;

@@ -31,6 +31,8 @@ namespace Heddle
   void
   StepTable::begin_row()
   {
+    if (!rows.empty())
+      finished += line(rows.back());
     rows.emplace_back(names.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
@@ -58,15 +60,22 @@ namespace Heddle
   std::string
   StepTable::csv() const
   {
+    return head() + '\n' + finished + (rows.empty() ? "" : line(rows.back()));
+  }
+
+
+
+  std::string
+  StepTable::line(const std::vector<double> &row)
+  {
     std::ostringstream out;
-    out << head() << '\n' << std::setprecision(10);
-    for (const auto &row : rows)
-      for (std::size_t i = 0; i < row.size(); ++i)
-        {
-          if (!std::isnan(row[i]))
-            out << row[i];
-          out << (i + 1 < row.size() ? ',' : '\n');
-        }
+    out << std::setprecision(10);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      {
+        if (!std::isnan(row[i]))
+          out << row[i];
+        out << (i + 1 < row.size() ? ',' : '\n');
+      }
     return out.str();
   }
 
@@ -84,9 +93,9 @@ namespace Heddle
   StepTable::read(const std::string &csv)
   {
     std::istringstream in(csv);
-    std::string        line;
-    std::getline(in, line);
-    const auto found  = Utilities::split_string_list(line, ',');
+    std::string        text;
+    std::getline(in, text);
+    const auto found  = Utilities::split_string_list(text, ',');
     const auto wanted = Utilities::split_string_list(head(), ',');
     const auto differ =
       std::mismatch(found.begin(), found.end(), wanted.begin(), wanted.end());
@@ -94,17 +103,18 @@ namespace Heddle
       return column == end ? "no more column"
                            : "the column \"" + *column + "\"";
     };
-    require(line == head(),
+    require(text == head(),
             "A table has " + name_or_none(differ.first, found.end()) +
               " where this scene has " +
               name_or_none(differ.second, wanted.end()) +
               ": it was written for another scene.");
 
     rows.clear();
-    while (std::getline(in, line))
+    finished.clear();
+    while (std::getline(in, text))
       {
         begin_row();
-        std::istringstream entries(line);
+        std::istringstream entries(text);
         std::string        entry;
         for (double &value : rows.back())
           if (std::getline(entries, entry, ',') && !entry.empty())

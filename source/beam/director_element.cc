@@ -320,28 +320,35 @@ namespace Heddle
       // the two of the quadratic element.
       const unsigned int first = (degree - 1) / 2, last = degree / 2;
 
-      Strains e{};
+      SectionState state;
       for (unsigned int q = first; q <= last; ++q)
         {
-          const Strains at_point =
-            elastic_strains(interpolate(points[q], blocks, length),
-                            reference_strains + q * n_strains_at_point);
-          for (unsigned int i = 0; i < n_strains_at_point; ++i)
-            e[i] += at_point[i] / (last - first + 1);
-        }
-      const Strains s = Law(section).stresses(e);
-
-      SectionState state;
-      state.axial_strain = e[0];
-      state.axial_force  = s[0];
-      state.twist        = e[8];
-      state.torque       = s[8];
-      for (unsigned int a = 0; a < 2; ++a)
-        {
-          state.shear_strain[a]   = e[1 + a];
-          state.shear_force[a]    = s[1 + a];
-          state.curvature[a]      = e[6 + a];
-          state.bending_moment[a] = s[6 + a];
+          const double part   = 1. / (last - first + 1);
+          const Fields fields = interpolate(points[q], blocks, length);
+          const auto   e =
+            elastic_strains(fields, reference_strains + q * n_strains_at_point);
+          const Strains s  = Law(section).stresses(e);
+          const auto along = [&](const Lanes<4> &force, const Part direction) {
+            const Lanes<4> &d        = fields[direction];
+            const Lanes<4>  products = force * d, squares = d * d;
+            return (products[0] + products[1] + products[2]) /
+                   std::sqrt(squares[0] + squares[1] + squares[2]);
+          };
+          // The force in the section is the derivative by r': beside that of
+          // axial and shear strain it has those of bending and twist, which
+          // are as large where a fiber is bent.
+          const Lanes<4> force = forces_of(fields, s)[t];
+          state.axial_strain += part * e[0];
+          state.axial_force += part * along(force, t);
+          state.twist += part * e[8];
+          state.torque += part * s[8];
+          for (unsigned int a = 0; a < 2; ++a)
+            {
+              state.shear_strain[a] += part * e[1 + a];
+              state.shear_force[a] += part * along(force, a == 0 ? g1 : g2);
+              state.curvature[a] += part * e[6 + a];
+              state.bending_moment[a] += part * s[6 + a];
+            }
         }
       return state;
     }

@@ -388,21 +388,25 @@ namespace Heddle
                                   const double        length,
                                   const double       *reference_strains) const
     {
-      SectionState state;
-      state.axial_strain =
-        axial_strain(combine(tangent_factors(length)[1], blocks)) -
-        reference_strains[1];
-      state.axial_force = section.axial * state.axial_strain;
+      const Tensor<1, 3> tangent = combine(tangent_factors(length)[1], blocks);
+      const double       stretch = tangent.norm();
+      SectionState       state;
+      state.axial_strain = axial_strain(tangent) - reference_strains[1];
+      state.axial_force  = section.axial * state.axial_strain * stretch;
 
       // The mean of the two points, so that the reference itself gives zero.
+      // The moment m r'' / |r''| changes along the fiber, -m |r''| of it along
+      // the axis: the force in the section is n = N r' - (m r'' / |r''|)'.
       const auto factors = curvature_factors(length);
       for (unsigned int q = 0; q < n_bending; ++q)
         {
           const RoundedCurvature curvature(reference_strains[n_axial + q],
                                            length);
-          state.curvature[0] +=
-            bending_weight[q] *
-            curvature.strain(curvature.value(combine(factors[q], blocks)));
+          const Tensor<1, 3>     bend = combine(factors[q], blocks);
+          const double strain         = curvature.strain(curvature.value(bend));
+          state.curvature[0] += bending_weight[q] * strain;
+          state.axial_force += bending_weight[q] * section.bending * strain *
+                               bend.norm() / stretch;
         }
       state.bending_moment[0] = section.bending * state.curvature[0];
       return state;

@@ -71,13 +71,16 @@ namespace Heddle
     void
     FabricSupports::find_sides(const System::State &state)
     {
+      // Nodes in corners are of two sides. One of these that is free in its
+      // direction has no force, and what holds the corner is of the other.
       std::array<std::set<unsigned int>, n_sides> nodes;
       if (state.matrix())
         for (unsigned int side = 0; side < n_sides; ++side)
-          {
-            const auto on_side = state.matrix()->nodes_on_side(side);
-            nodes[side].insert(on_side.begin(), on_side.end());
-          }
+          if (test.supports[side]->displacement[side / 2] != "free")
+            {
+              const auto on_side = state.matrix()->nodes_on_side(side);
+              nodes[side].insert(on_side.begin(), on_side.end());
+            }
 
       sides_of.clear();
       std::array<Tensor<1, 3>, n_sides> sums;

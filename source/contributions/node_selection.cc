@@ -1,6 +1,5 @@
 #include <heddle/base/declared_parameters.h>
 #include <heddle/base/exceptions.h>
-#include <heddle/base/fiber_names.h>
 #include <heddle/contributions/node_selection.h>
 
 #include <deal.II/base/mpi.h>
@@ -53,10 +52,7 @@ namespace Heddle
     {
       if (fibers == "none")
         return {};
-      std::vector<FiberName> names;
-      for (unsigned int f = 0; f < space.n_fibers(); ++f)
-        names.push_back({space.fiber(f).set, space.fiber(f).yarn_id});
-      return FiberNames(names).find(fibers, where);
+      return space.names().find(fibers, where);
     }
 
 

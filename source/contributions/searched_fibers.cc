@@ -166,9 +166,9 @@ namespace Heddle
 
 
     double
-    SearchedFibers::largest_step(const System::State       &state,
-                                 const System::Increment   &increment,
-                                 const std::vector<double> &thickness) const
+    SearchedFibers::searched_step(const System::State       &state,
+                                  const System::Increment   &increment,
+                                  const std::vector<double> &thickness) const
     {
       // Nothing may leave the range within which all pairs are known.
       double                    factor = std::numeric_limits<double>::max();

@@ -46,16 +46,16 @@ namespace Heddle
           SectionValues
           at(const double s) const
           {
-            const unsigned int after =
+            if (middles.size() == 1)
+              return values.front();
+            // Beyond the outermost middles the lines go on.
+            const std::size_t found =
               std::upper_bound(middles.begin(), middles.end(), s) -
               middles.begin();
-            if (after == 0)
-              return values.front();
-            if (after == middles.size())
-              return values.back();
-
-            const unsigned int before = after - 1;
-            const double       t =
+            const std::size_t after =
+              std::min(std::max<std::size_t>(found, 1), middles.size() - 1);
+            const std::size_t before = after - 1;
+            const double      t =
               (s - middles[before]) / (middles[after] - middles[before]);
             SectionValues result;
             for (unsigned int c = 0; c < n_section_values; ++c)
@@ -111,17 +111,6 @@ namespace Heddle
           // Sums of element lengths may exceed the fiber by a rounding error.
           result.back() = fiber.length;
           return result;
-        }
-
-
-
-        Tensor<1, 3>
-        position(const System::MaterialPoint &point, const Tensor<1, 3> *blocks)
-        {
-          Tensor<1, 3> x;
-          for (unsigned int i = 0; i < point.blocks.size(); ++i)
-            x += point.values[i] * blocks[point.blocks[i]];
-          return x;
         }
 
 
@@ -200,9 +189,9 @@ namespace Heddle
         {
           const double s     = stations[i];
           const auto   point = space.locate(f, s);
-          const auto   x     = helpers::position(point, state.fiber(f));
+          const auto   x     = point.position(state.fiber(f));
           const auto   start =
-            helpers::position(point, initial.data() + state.local_block(f));
+            point.position(initial.data() + state.local_block(f));
           const auto section = curve.at(s);
 
           unsigned int row = 0;

@@ -21,7 +21,10 @@ namespace Heddle
       const char *const loose_ends =
         "at load factor 0 the guides and the tension of the initial "
         "configuration are gone, and yarns shrink and slip whose ends no "
-        "support holds: hold or load these, or set Restart/Stress free";
+        "support holds: hold these, across too, or load each of their fibers "
+        "by "
+        "its tension, which is Initial configuration/Axial tension times its "
+        "E A, or set Restart/Stress free";
     } // namespace
 
 

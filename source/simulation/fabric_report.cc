@@ -96,12 +96,23 @@ namespace Heddle
               const auto   section  = Post::cut_yarn(
                 yarns[y].lines, yarns[y].radii, plane_at(mean, fraction));
               out << y << ',' << (yarns[y].set == "warp") << ',' << fraction;
-              for (unsigned int d = 0; d < 3; ++d)
-                out << ',' << section.center[d];
-              out << ',' << section.width << ',' << section.height << ','
-                  << section.aspect_ratio() << ',' << section.hull_area << ','
-                  << section.fiber_area << ',' << section.volume_fraction()
-                  << ',' << section.n_missing << ',' << crimp(mean) << '\n';
+              const Tensor<1, 3> &x = section.center;
+              for (const double value : {x[0],
+                                         x[1],
+                                         x[2],
+                                         section.width,
+                                         section.height,
+                                         section.aspect_ratio(),
+                                         section.hull_area,
+                                         section.fiber_area,
+                                         section.volume_fraction()})
+                {
+                  // Where no fiber passes there is nothing to measure.
+                  out << ',';
+                  if (!section.points.empty())
+                    out << value;
+                }
+              out << ',' << section.n_missing << ',' << crimp(mean) << '\n';
             }
         }
       return out.str();

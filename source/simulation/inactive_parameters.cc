@@ -4,6 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <set>
 
 namespace Heddle
 {
@@ -41,7 +42,8 @@ namespace Heddle
                    const std::string      &name,
                    std::vector<Condition> &conditions)
       {
-        for (unsigned int i = 1; i <= file.count_sections(list, name); ++i)
+        const unsigned int n = file.count_sections(list, name);
+        for (unsigned int i = 1; i <= n; ++i)
           {
             const std::string one =
               list + "/" + name + " " + std::to_string(i) + "/";
@@ -126,8 +128,9 @@ namespace Heddle
            {"automatic"}}};
         conditions.push_back({"Fiber/Degree", "Fiber/Element", {"director"}});
         std::vector<std::string> materials = {"Fiber/"};
-        for (unsigned int i = 1; i <= file.count_sections("Fiber", "Material");
-             ++i)
+        const unsigned int       n_materials =
+          file.count_sections("Fiber", "Material");
+        for (unsigned int i = 1; i <= n_materials; ++i)
           materials.push_back("Fiber/Material " + std::to_string(i) + "/");
         for (const std::string &material : materials)
           for (const std::string entry : {"Shear modulus",
@@ -159,9 +162,17 @@ namespace Heddle
     {
       std::vector<ParameterFile::Entry> entries =
         file.unusual(ParameterAcceptor::prm);
+      std::set<std::string> paths;
+      for (const ParameterFile::Entry &entry : entries)
+        paths.insert(entry.path);
       std::vector<std::string> sentences;
       for (const Condition &condition : all_conditions(file))
         {
+          // Most are about what no file sets.
+          const auto first = paths.lower_bound(condition.path);
+          if (first == paths.end() ||
+              first->compare(0, condition.path.size(), condition.path) != 0)
+            continue;
           const std::string value  = value_of(condition.depends_on);
           const bool        listed = std::any_of(condition.values.begin(),
                                           condition.values.end(),

@@ -272,10 +272,8 @@ namespace Heddle
                       const double                 length,
                       Points                      &points) const
     {
-      Tensor<1, 3> place;
-      for (unsigned int i = 0; i < particle.blocks.size(); ++i)
-        place += particle.values[i] * state.block(fiber, particle.blocks[i]);
-      const Textile::PlaceInCell found = mesh->locate(place);
+      const Textile::PlaceInCell found =
+        mesh->locate(particle.position(state.fiber(fiber)));
       if (found.cell == Textile::no_cell)
         return;
       points.push_back({fiber, particle, found.cell, {}, length});

@@ -1,4 +1,5 @@
 #include <heddle/base/file.h>
+#include <heddle/base/settings.h>
 #include <heddle/base/version.h>
 #include <heddle/io/collection.h>
 #include <heddle/post/centerline.h>
@@ -73,6 +74,7 @@ namespace Heddle
       , parameters(parameters)
       , file(file)
       , directory(directory)
+      , in_force(settings_text(ParameterAcceptor::prm))
       , timer(timer)
       , first_rank(
           Utilities::MPI::this_mpi_process(scene.space().communicator()) == 0)
@@ -230,6 +232,17 @@ namespace Heddle
     void
     Recorder::add_step(const Place &place, const Solver::NewtonResult &result)
     {
+      write_results(place, result);
+      // What that took is over by now, and counts.
+      write_summary();
+    }
+
+
+
+    void
+    Recorder::write_results(const Place                &place,
+                            const Solver::NewtonResult &result)
+    {
       SectionTimer::Scope scope(timer, "output");
       measure(place, result);
       const bool         last = place.stepping->finished();
@@ -250,7 +263,6 @@ namespace Heddle
         write_checkpoint(place, directory + "/" + initial_configuration);
       if (parameters.output.checkpoint_due(step, last))
         write_checkpoint(place);
-      write_summary();
     }
 
 

@@ -103,8 +103,8 @@ namespace Heddle
           contribution->load(archive, scene.state());
       };
       const auto position = checkpoint.read(path, scene.state(), load, prepare);
-      for (const std::string &change : changed_settings(
-             position.settings, settings_text(ParameterAcceptor::prm)))
+      for (const std::string &change :
+           changed_settings(position.settings, in_force))
         log << "Changed        " << change << std::endl;
       history.resume(position.history);
       place.number = position.number;
@@ -134,8 +134,7 @@ namespace Heddle
       const std::string settings = read_initial_configuration(file);
       // What fibers are and how they settled is in the file: strains and
       // stresses may be others than these parameters would lead to.
-      for (const std::string &change :
-           changed_settings(settings, settings_text(ParameterAcceptor::prm)))
+      for (const std::string &change : changed_settings(settings, in_force))
         for (const std::string section :
              {"Fiber/", "Weave/", "Initial configuration/"})
           if (change.rfind(section, 0) == 0)
@@ -255,7 +254,7 @@ namespace Heddle
       checkpoint.write(
         {scene.stages()[place.stage].name,
          place.number,
-         settings_text(ParameterAcceptor::prm),
+         in_force,
          history.csv()},
         scene.state(),
         [&](ArchiveWriter &archive) { save(archive, place); },

@@ -16,6 +16,9 @@ namespace Heddle
   {
     namespace
     {
+      /** Iterations for fibers that nothing couples: more are in vain. */
+      constexpr unsigned int most_by_themselves = 20;
+
       /** No tolerance of an iterative solver is looser. */
       constexpr double loosest = 0.9;
 
@@ -142,7 +145,8 @@ namespace Heddle
         "Maximum iterations",
         max_iterations,
         "Iterations after which an iterative solver hands over what "
-        "it has. Inactive for 'direct' [-].",
+        "it has or, as long as no fibers come near each other, the system is "
+        "factorized. Inactive for 'direct' [-].",
         prm,
         Patterns::Integer(1));
       add_parameter("Direct below",
@@ -233,7 +237,7 @@ namespace Heddle
     {
       LinearResult result;
       if (!parameters.direct(system.state.n_dofs(), /*contact=*/!exactly) &&
-          (iterate(yarn_motions, looser, result) || !exactly))
+          (iterate(exactly, yarn_motions, looser, result) || !exactly))
         return result;
       factorize(result);
       return result;
@@ -242,13 +246,22 @@ namespace Heddle
 
 
     bool
-    LinearSolver::iterate(const bool    yarn_motions,
+    LinearSolver::iterate(const bool    exactly,
+                          const bool    yarn_motions,
                           const double  looser,
                           LinearResult &result)
     {
       if (!iterating)
         begin_iterating();
       preconditioner->set_up(system, yarn_motions, gentle);
+      const bool by_themselves = exactly && !system.state.matrix();
+      petsc(KSPSetTolerances(
+        iterating,
+        PETSC_DEFAULT,
+        PETSC_DEFAULT,
+        PETSC_DEFAULT,
+        by_themselves ? std::min(most_by_themselves, parameters.max_iterations)
+                      : parameters.max_iterations));
       petsc(KSPSetOperators(iterating,
                             system.has_couplings_apart() ? symmetric.matrix()
                                                          : system.tangent(),

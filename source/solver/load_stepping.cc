@@ -156,6 +156,9 @@ namespace Heddle
 
       // Where it has failed again easy steps are trusted no more than twice as
       // far as others: each failure costs as much as many steps.
+      // A step's length beyond that place this is over.
+      if (last > failed + uncut)
+        patience = first_patience;
       const bool is_easy = newton_iterations <= plan.easy_iterations;
       const bool trusted = step >= uncut || patience == first_patience;
       n_good += is_easy ? 2 : 1;
@@ -185,6 +188,7 @@ namespace Heddle
         patience = first_patience;
       else if (n_good > 0)
         patience *= 2;
+      failed = next();
       uncut  = std::max(uncut, step);
       step   = shorter;
       n_good = 0;
@@ -200,6 +204,7 @@ namespace Heddle
       archive.write_number("load stepping/reached", last);
       archive.write_number("load stepping/step", step);
       archive.write_number("load stepping/uncut", uncut);
+      archive.write_number("load stepping/failed", failed);
       archive.write_number("load stepping/n_good", n_good);
       archive.write_number("load stepping/patience", patience);
     }
@@ -218,6 +223,10 @@ namespace Heddle
         std::min(archive.read_number("load stepping/step"), plan.largest_step);
       uncut =
         std::min(archive.read_number("load stepping/uncut"), plan.largest_step);
+      // Older checkpoints do not have it: as if it were here.
+      failed   = archive.has("load stepping/failed")
+                   ? archive.read_number("load stepping/failed")
+                   : last;
       n_good   = archive.read_number("load stepping/n_good");
       patience = archive.read_number("load stepping/patience");
     }

@@ -73,6 +73,9 @@ namespace Heddle
       /** Iterations after which a search without contact is held back. */
       constexpr unsigned int most_unguarded = 30;
 
+      /** Searches of contacts along one step where there is none. */
+      constexpr unsigned int most_parts_of_step = 100;
+
       /** Of motions that count as free, over what holds back entirely [-]. */
       constexpr double least_stiffness = 1e-12;
 
@@ -305,12 +308,13 @@ namespace Heddle
           const bool   in_place = pending <= reached;
           const double longest =
             in_place ? std::max(1., longest_stretched_motion / motion) : 1.;
-          const double taken = step_length(state,
-                                           contributions,
-                                           increment,
-                                           longest,
-                                           search,
-                                           linear.unsymmetric);
+          const double taken = held ? step_length(state,
+                                                  contributions,
+                                                  increment,
+                                                  longest,
+                                                  search,
+                                                  linear.unsymmetric)
+                                    : walk(state, contributions, increment);
           if (!in_place && taken < least_part_of_step)
             {
               result.obstacle = not_arrived;
@@ -440,8 +444,9 @@ namespace Heddle
       SectionTimer::Scope scope(timer, "line search");
       double              largest = std::numeric_limits<double>::max();
       for (const auto &contribution : contributions)
-        largest =
-          std::min(largest, contribution->largest_step(state, increment));
+        largest = std::min({largest,
+                            contribution->largest_step(state, increment),
+                            contribution->searched_step(state, increment)});
       largest = Utilities::MPI::min(largest, communicator);
       if (!search)
         return std::min(1., largest);
@@ -465,6 +470,44 @@ namespace Heddle
         damping->curvature(state, of_unknowns), communicator);
       LineSearch along(state, contributions, *block_system, increment, held);
       return along.best_step(std::min(largest, longest));
+    }
+
+
+
+    double
+    Newton::walk(System::State       &state,
+                 const Contributions &contributions,
+                 System::Increment   &increment)
+    {
+      SectionTimer::Scope scope(timer, "detection");
+      double              whole = 1., taken = 0.;
+      for (const auto &contribution : contributions)
+        whole = std::min(whole, contribution->largest_step(state, increment));
+      whole = Utilities::MPI::min(whole, communicator);
+      for (unsigned int i = 0; i < most_parts_of_step; ++i)
+        {
+          double part = whole - taken;
+          for (const auto &contribution : contributions)
+            part =
+              std::min(part, contribution->searched_step(state, increment));
+          part = Utilities::MPI::min(part, communicator);
+          state.move(part, increment);
+          taken += part;
+          if (taken >= whole)
+            break;
+          bool rough = false;
+          for (const auto &contribution : contributions)
+            {
+              contribution->update(state);
+              rough = rough || contribution->is_rough();
+            }
+          increment.resize(state.n_local_blocks());
+          state.update_ghosts(increment);
+          if (rough)
+            break;
+        }
+      state.move(-taken, increment);
+      return taken;
     }
 
 

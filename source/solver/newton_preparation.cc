@@ -222,7 +222,9 @@ namespace Heddle
             return true;
           part = left;
           for (const auto &contribution : contributions)
-            part = std::min(part, contribution->largest_step(state, whole));
+            part = std::min({part,
+                             contribution->largest_step(state, whole),
+                             contribution->searched_step(state, whole)});
           part = Utilities::MPI::min(part, communicator);
           // The closer to a cell that is inside out, the shorter.
           if (part < std::min(left, least_part_of_guess))

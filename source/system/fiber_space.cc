@@ -108,6 +108,21 @@ namespace Heddle
 
 
 
+    const FiberNames &
+    FiberSpace::names() const
+    {
+      if (!fiber_names)
+        {
+          std::vector<FiberName> names;
+          for (const Fiber &fiber : fibers)
+            names.push_back({fiber.set, fiber.yarn_id});
+          fiber_names = std::make_unique<const FiberNames>(names);
+        }
+      return *fiber_names;
+    }
+
+
+
     void
     FiberSpace::add_interval_slopes(const unsigned int f)
     {

@@ -170,7 +170,7 @@ test_step(const double radii)
   for (unsigned int f = 0; f < 2; ++f)
     for (unsigned int i = 0; i <= n_long; ++i)
       step[scene.state.local_block(f) + 2 * i][2] = f == 0 ? 1. : -1.;
-  const double factor = contact.largest_step(scene.state, step);
+  const double factor = contact.searched_step(scene.state, step);
   deallog << "searched within " << radii << " radii: each may move by "
           << factor << ", and meets no axis " << (2. * factor < 2.01)
           << std::endl;

@@ -49,12 +49,19 @@ namespace Heddle
     std::string
     head() const;
 
+    static std::string
+    line(const std::vector<double> &row);
+
     std::size_t
     column(const std::string &name) const;
 
     std::vector<std::string>         names;
     std::vector<std::string>         units;
     std::vector<std::vector<double>> rows;
+
+    /** The lines of all rows but the last: a table grows row by row, and is
+     * written after each. */
+    std::string finished;
   };
 } // namespace Heddle
 

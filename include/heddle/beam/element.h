@@ -123,8 +123,11 @@ namespace Heddle
                double             *tangent) const = 0;
 
       /**
-       * Strains and section forces at the middle of the element, for output,
-       * work-conjugate to each other.
+       * Strains, forces and moments in the section at the middle of the
+       * element, for output. Moments are conjugate to curvature and twist;
+       * forces are those that balance loads: the derivative of the energy by
+       * r', along the axis and along the vectors of the section. Of the
+       * slender element the one along the axis alone is known.
        */
       struct SectionState
       {

@@ -91,10 +91,10 @@ namespace Heddle
                           const System::Increment &increment) const override;
 
       double
-      largest_step(const System::State     &state,
-                   const System::Increment &increment) const override
+      searched_step(const System::State     &state,
+                    const System::Increment &increment) const override
       {
-        return fibers.largest_step(state, increment, thickness);
+        return fibers.searched_step(state, increment, thickness);
       }
 
       bool

@@ -89,9 +89,9 @@ namespace Heddle
        * that are watched beside it. Local.
        */
       double
-      largest_step(const System::State       &state,
-                   const System::Increment   &increment,
-                   const std::vector<double> &thickness) const;
+      searched_step(const System::State       &state,
+                    const System::Increment   &increment,
+                    const std::vector<double> &thickness) const;
 
     private:
       /** Return whether there are others now. */

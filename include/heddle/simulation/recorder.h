@@ -159,6 +159,10 @@ namespace Heddle
                      const Solver::NewtonResult          &result,
                      const std::map<std::string, double> &report);
 
+      /** What a step leaves in files, but for the summary. */
+      void
+      write_results(const Place &place, const Solver::NewtonResult &result);
+
       void
       write_pictures(const Place &place, const std::string &group);
 
@@ -192,16 +196,17 @@ namespace Heddle
       void
       load_summary(const ArchiveReader &archive);
 
-      Scene                             &scene;
-      const Parameters                  &parameters;
-      const ParameterFile               &file;
-      const std::string                  directory;
-      SectionTimer                      &timer;
-      const bool                         first_rank;
-      IO::Summary                        summary;
-      IO::History                        history;
-      IO::Checkpoint                     checkpoint;
-      EnergyBalance                      balance;
+      Scene               &scene;
+      const Parameters    &parameters;
+      const ParameterFile &file;
+      const std::string    directory;
+      const std::string    in_force; /**< all parameters, see settings_text() */
+      SectionTimer        &timer;
+      const bool           first_rank;
+      IO::Summary          summary;
+      IO::History          history;
+      IO::Checkpoint       checkpoint;
+      EnergyBalance        balance;
       std::unique_ptr<IO::FiberOutput>   fibers;
       std::unique_ptr<IO::ContactOutput> contacts;
       std::unique_ptr<IO::MatrixOutput>  matrix;

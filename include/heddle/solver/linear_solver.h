@@ -78,7 +78,9 @@ namespace Heddle
        * Where conjugate gradients do not converge, since the tangent is not
        * positive definite or in too many iterations, they hand over what they
        * have, or, if it is to be solved @p exactly, it is factorized. That is
-       * where no fibers come near each other.
+       * where no fibers come near each other. Without a matrix, too, the
+       * preconditioner is the inverse then, but for shifts and round-off: there
+       * conjugate gradients are not given many iterations.
        *
        * Without @p yarn_motions conjugate gradients are not helped to find how
        * yarns and their parts move: they then move less than they should, as if
@@ -105,7 +107,8 @@ namespace Heddle
 
       /** Return whether it converged. */
       bool
-      iterate(const bool    yarn_motions,
+      iterate(const bool    exactly,
+              const bool    yarn_motions,
               const double  looser,
               LinearResult &result);
 

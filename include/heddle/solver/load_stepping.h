@@ -121,6 +121,7 @@ namespace Heddle
       double         last    = 0.;
       double         step;
       double         uncut    = 0.; /**< the step before it was cut */
+      double         failed   = 0.; /**< load factor that was not reached */
       unsigned int   n_good   = 0;  /**< steps since the last cut or growth */
       unsigned int   patience = 0;  /**< good steps before it grows again */
     };

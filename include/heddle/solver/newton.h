@@ -185,6 +185,17 @@ namespace Heddle
                   const bool               search,
                   const bool               unsymmetric);
 
+      /**
+       * The part of @p increment that may be taken where no fibers are near
+       * each other: they are moved along it as far as is known, and searched
+       * again, until some are near. A new system would ask for the same way.
+       * Ghosts of @p increment follow those of @p state, which stays.
+       */
+      double
+      walk(System::State       &state,
+           const Contributions &contributions,
+           System::Increment   &increment);
+
       double
       largest_motion(const System::State     &state,
                      const System::Increment &increment) const;

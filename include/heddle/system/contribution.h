@@ -131,6 +131,16 @@ namespace Heddle
         return std::numeric_limits<double>::max();
       }
 
+      /**
+       * The same of what update() knows of: further along @p increment fibers
+       * might meet unseen.
+       */
+      virtual double
+      searched_step(const State &, const Increment &) const
+      {
+        return std::numeric_limits<double>::max();
+      }
+
       /** Raise @p stiffness to what this term makes nodes resist. Local. */
       virtual void
       raise_stiffness(NodeStiffness &) const

@@ -1,6 +1,7 @@
 #ifndef heddle_system_fiber_space_h
 #define heddle_system_fiber_space_h
 
+#include <heddle/base/fiber_names.h>
 #include <heddle/beam/element.h>
 
 #include <deal.II/base/tensor.h>
@@ -29,6 +30,16 @@ namespace Heddle
     {
       std::array<unsigned int, 4> blocks;
       std::array<double, 4>       values; /**< [-], or [mm] of a tangent */
+
+      /** Return x [mm]; @p q are the blocks of the fiber. */
+      Tensor<1, 3>
+      position(const Tensor<1, 3> *q) const
+      {
+        Tensor<1, 3> x;
+        for (unsigned int i = 0; i < blocks.size(); ++i)
+          x += values[i] * q[blocks[i]];
+        return x;
+      }
     };
 
     /**
@@ -222,6 +233,10 @@ namespace Heddle
       }
 
       /** Reference arc lengths of the nodes of fiber @p f, from 0 [mm]. */
+      /** The words by which fibers are chosen, made when they are asked for. */
+      const FiberNames &
+      names() const;
+
       const double *
       node_positions(const unsigned int f) const
       {
@@ -364,6 +379,8 @@ namespace Heddle
       using IntervalSlopes = std::array<std::array<double, 4>, 2>;
       std::vector<IntervalSlopes> interval_slopes;
       std::vector<unsigned int>   rank_begin;
+
+      mutable std::unique_ptr<const FiberNames> fiber_names;
     };
   } // namespace System
 } // namespace Heddle
