@@ -123,6 +123,9 @@ namespace Heddle
            {"direct"},
            true},
           {"Linear solver/Direct below", "Linear solver/Kind", {"automatic"}},
+          {"Linear solver/Direct below in a matrix",
+           "Linear solver/Kind",
+           {"automatic"}},
           {"Linear solver/Direct below with contact",
            "Linear solver/Kind",
            {"automatic"}}};

@@ -24,7 +24,8 @@ namespace Heddle
     {
       return parameters.linear_solver.direct(fiber_space->n_dofs() +
                                                std::lround(3. * n_matrix_nodes),
-                                             fiber_contact != nullptr);
+                                             fiber_contact != nullptr,
+                                             parameters.matrix.enabled);
     }
 
 

@@ -151,15 +151,21 @@ namespace Heddle
         Patterns::Integer(1));
       add_parameter("Direct below",
                     direct_below,
-                    "Number of unknowns, of fibers and matrix, below which "
-                    "'automatic' chooses 'direct' as long as no fibers come "
-                    "near each other [-].",
+                    "Number of unknowns below which 'automatic' chooses "
+                    "'direct' for fibers without a matrix, as long as none "
+                    "come near each other [-].",
+                    prm,
+                    Patterns::Integer(0));
+      add_parameter("Direct below in a matrix",
+                    direct_below_in_matrix,
+                    "The same of fibers in a matrix, with its unknowns [-].",
                     prm,
                     Patterns::Integer(0));
       add_parameter("Direct below with contact",
                     direct_below_with_contact,
-                    "The same where they do. Iterations of Newton's method are "
-                    "many then, and need not be solved exactly [-].",
+                    "The same where fibers do, with the unknowns of a matrix. "
+                    "Iterations of Newton's method are many then, and need not "
+                    "be solved exactly [-].",
                     prm,
                     Patterns::Integer(0));
     }
@@ -236,7 +242,9 @@ namespace Heddle
                         const double looser)
     {
       LinearResult result;
-      if (!parameters.direct(system.state.n_dofs(), /*contact=*/!exactly) &&
+      if (!parameters.direct(system.state.n_dofs(),
+                             /*contact=*/!exactly,
+                             /*matrix=*/system.state.matrix() != nullptr) &&
           (iterate(exactly, yarn_motions, looser, result) || !exactly))
         return result;
       factorize(result);

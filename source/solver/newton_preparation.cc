@@ -49,7 +49,8 @@ namespace Heddle
         state,
         /*couplings_apart=*/
         !linear_parameters.direct(state.n_dofs(),
-                                  /*contact=*/true));
+                                  /*contact=*/true,
+                                  /*matrix=*/state.matrix() != nullptr));
       linear_solver =
         std::make_unique<LinearSolver>(linear_parameters, *block_system);
       damping = std::make_unique<FiberDamping>(state.space, parameters.damping);

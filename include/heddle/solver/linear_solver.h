@@ -25,14 +25,17 @@ namespace Heddle
 
       /**
        * Whether a symmetric system of so many unknowns is factorized, where
-       * fibers are in @p contact or not.
+       * fibers are in @p contact or not, in a @p matrix or not.
        */
       bool
-      direct(const unsigned int n_dofs, const bool contact) const
+      direct(const unsigned int n_dofs,
+             const bool         contact,
+             const bool         matrix) const
       {
-        return kind == "direct" ||
-               (kind == "automatic" &&
-                n_dofs < (contact ? direct_below_with_contact : direct_below));
+        const unsigned int below = contact  ? direct_below_with_contact
+                                   : matrix ? direct_below_in_matrix
+                                            : direct_below;
+        return kind == "direct" || (kind == "automatic" && n_dofs < below);
       }
 
       std::string  kind           = "automatic";
@@ -40,6 +43,7 @@ namespace Heddle
       unsigned int max_iterations = 400;
       unsigned int direct_below   = 15000;
 
+      unsigned int direct_below_in_matrix    = 100000;
       unsigned int direct_below_with_contact = 2500;
     };
 
