@@ -41,7 +41,8 @@ namespace Heddle
       , log(log)
       , timer(timer)
       , stop(stop)
-      , newton(parameters.newton,
+      , limits(parameters.newton)
+      , newton(limits,
                parameters.linear_solver,
                scene.space().communicator(),
                log,
@@ -209,33 +210,12 @@ namespace Heddle
             }
           if (result.converged)
             {
+              limits.max_iterations = parameters.newton.max_iterations;
               steps.accept(result.iterations);
               accept(stage, result);
             }
           else
-            {
-              const bool to_zero = scene.is_fabric() && stage.is_loaded &&
-                                   scene.state().load_factor == 0.;
-              const std::string where = place_in_words();
-              const std::string kink  = kink_in_words();
-              const std::string why =
-                result.obstacle + (kink.empty() ? "" : "; " + kink);
-              reject(stage);
-              if (!steps.cut_back())
-                {
-                  const std::string advice =
-                    to_zero ? loose_ends : scene.missing_torsion();
-                  throw NotConverged(
-                    "No equilibrium in " + where + " after " +
-                    std::to_string(result.iterations) + " iterations" +
-                    (result.used_up ? ", as many as Newton/Maximum iterations "
-                                      "allows for a search"
-                                    : "") +
-                    ": " + why + (advice.empty() ? "" : "; " + advice) + ".");
-                }
-              log << "  not converged: " << why << "; the step is halved"
-                  << std::endl;
-            }
+            try_another_step(stage, result);
         }
       if (n_unstable_steps > 0)
         log << "Note           " << n_unstable_steps << " steps of stage "
@@ -262,6 +242,49 @@ namespace Heddle
       const std::string turned = scene.turned_matrix();
       if (!turned.empty())
         log << "Note           " << turned << std::endl;
+    }
+
+
+
+    void
+    Computation::try_another_step(const Stage                &stage,
+                                  const Solver::NewtonResult &result)
+    {
+      Solver::LoadStepping &steps = *stepping[place.stage];
+      const bool            to_zero =
+        scene.is_fabric() && stage.is_loaded && scene.state().load_factor == 0.;
+      const std::string where = place_in_words();
+      const std::string kink  = kink_in_words();
+      const std::string why =
+        result.obstacle + (kink.empty() ? "" : "; " + kink);
+      reject(stage);
+      const bool was_last =
+        limits.max_iterations > parameters.newton.max_iterations;
+      if (!was_last && steps.cut_back())
+        {
+          log << "  not converged: " << why << "; the step is halved"
+              << std::endl;
+          return;
+        }
+
+      // The way of a snap is no shorter in a shorter step: what is left is to
+      // go along it for longer.
+      if (result.used_up && limits.max_iterations < limits.max_at_zero)
+        {
+          limits.max_iterations = limits.max_at_zero;
+          steps.restore();
+          log << "  not converged: " << why << "; the whole step gets "
+              << limits.max_iterations << " iterations" << std::endl;
+          return;
+        }
+      const std::string advice = to_zero ? loose_ends : scene.missing_torsion();
+      throw NotConverged(
+        "No equilibrium in " + where + " after " +
+        std::to_string(result.iterations) + " iterations" +
+        (result.used_up ? ", as many as Newton/Maximum iterations allows for a "
+                          "search"
+                        : "") +
+        ": " + why + (advice.empty() ? "" : "; " + advice) + ".");
     }
 
 

@@ -27,15 +27,17 @@ namespace Heddle
                     "weave or a measured fabric, 1e-3 for centerlines [-].",
                     prm,
                     Patterns::Double(0., 1.));
-      add_parameter("Maximum iterations",
-                    given_iterations,
-                    "Iterations after which a load step is given up; 0: 500 "
-                    "for a weave, a measured fabric and centerlines that are "
-                    "straight when free, or before loads begin, 60 for others. "
-                    "As many again for fibers that are held back since they "
-                    "snap or buckle [-].",
-                    prm,
-                    Patterns::Integer(0));
+      add_parameter(
+        "Maximum iterations",
+        given_iterations,
+        "Iterations after which a load step is given up; 0: 500 "
+        "for a weave, a measured fabric and centerlines that are "
+        "straight when free, or before loads begin, 60 for others, and "
+        "500 before their shortest step is given up. "
+        "As many again for fibers that are held back since they "
+        "snap or buckle [-].",
+        prm,
+        Patterns::Integer(0));
       add_parameter("Damping",
                     damping,
                     "Stiffness per length that holds the nodes back in the "

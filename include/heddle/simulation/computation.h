@@ -54,6 +54,14 @@ namespace Heddle
       void
       run_stage();
 
+      /**
+       * After one that led to no equilibrium: a shorter one or, if there is
+       * none, once more the whole one with more iterations. Throw NotConverged
+       * if that was in vain.
+       */
+      void
+      try_another_step(const Stage &stage, const Solver::NewtonResult &result);
+
       /** Set out for the next load factor; return what came of it. */
       Solver::NewtonResult
       try_step(const Stage &stage);
@@ -85,6 +93,7 @@ namespace Heddle
       Log                                               &log;
       SectionTimer                                      &timer;
       StopRequest                                       &stop;
+      Solver::NewtonLimits                               limits;
       Solver::Newton                                     newton;
       std::vector<std::unique_ptr<Solver::LoadStepping>> stepping;
       Recorder::Place                                    place;

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,14 @@ namespace Heddle
       cut_back();
 
       /** @note Collective. */
+      /** Try the step as long as it was before it was cut. */
+      void
+      restore()
+      {
+        step   = std::max(step, uncut);
+        n_good = 0;
+      }
+
       void
       save(ArchiveWriter &archive) const;
       void
