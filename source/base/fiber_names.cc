@@ -4,7 +4,6 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
 #include <set>
 
 namespace Heddle
