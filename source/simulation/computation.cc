@@ -17,6 +17,9 @@ namespace Heddle
       /** Fresh searches after which a step is given up. */
       constexpr unsigned int n_searches = 4;
 
+      /** A step to where nothing is stable is halved so many times. */
+      constexpr unsigned int most_jumps = 4;
+
       /** Why a fabric may find no equilibrium before anything moves. */
       const char *const loose_ends =
         "at load factor 0 the guides and the tension of the initial "
@@ -196,9 +199,10 @@ namespace Heddle
     void
     Computation::run_stage()
     {
-      const Stage          &stage = scene.stages()[place.stage];
-      Solver::LoadStepping &steps = *stepping[place.stage];
-      n_unstable_steps            = 0;
+      const Stage          &stage   = scene.stages()[place.stage];
+      Solver::LoadStepping &steps   = *stepping[place.stage];
+      unsigned int          n_jumps = 0;
+      n_unstable_steps              = 0;
       while (!steps.finished())
         {
           Solver::NewtonResult result = try_step(stage);
@@ -208,6 +212,18 @@ namespace Heddle
               result.obstacle  = stage.objection();
               result.converged = result.obstacle.empty();
             }
+          // In a matrix what is not stable is not left for what is. It may be
+          // that only the step was too long to follow where it bends.
+          if (result.converged && result.unstable && scene.matrix() &&
+              n_unstable_steps == 0 && n_jumps < most_jumps && steps.cut_back())
+            {
+              ++n_jumps;
+              reject(stage);
+              log << "  not stable, as it was until now: the step is halved"
+                  << std::endl;
+              continue;
+            }
+          n_jumps = 0;
           if (result.converged)
             {
               limits.max_iterations = parameters.newton.max_iterations;
