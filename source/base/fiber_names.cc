@@ -9,7 +9,7 @@
 namespace Heddle
 {
   FiberNames::FiberNames(const std::vector<FiberName> &fibers)
-    : n_fibers(fibers.size())
+    : number_of_fibers(fibers.size())
   {
     for (const FiberName &fiber : fibers)
       {
@@ -24,7 +24,7 @@ namespace Heddle
           yarn.second = place++;
       }
 
-    for (unsigned int f = 0; f < n_fibers; ++f)
+    for (unsigned int f = 0; f < number_of_fibers; ++f)
       {
         const auto &[set, yarn] = fibers[f];
         fibers_of_word["all"].push_back(f);
@@ -77,7 +77,7 @@ namespace Heddle
     throw InputError(
       where + ": \"Fibers\" names \"" + word +
       "\", which is no fiber; there are the numbers 0 to " +
-      std::to_string(n_fibers - 1) +
+      std::to_string(number_of_fibers - 1) +
       (sets.empty() ? ", and no sets" : ", and the sets" + sets) + yarns + ".");
   }
 } // namespace Heddle

@@ -25,9 +25,8 @@ namespace Heddle
         "at load factor 0 the guides and the tension of the initial "
         "configuration are gone, and yarns shrink and slip whose ends no "
         "support holds: hold these, across too, or load each of their fibers "
-        "by "
-        "its tension, which is Initial configuration/Axial tension times its "
-        "E A, or set Restart/Stress free";
+        "by its tension, Initial configuration/Axial tension times its E A, "
+        "or set Restart/Stress free";
     } // namespace
 
 

@@ -44,14 +44,13 @@ namespace Heddle
 
 
     std::vector<unsigned int>
-    FiberParameters::materials_of(const std::vector<FiberName> &fibers) const
+    FiberParameters::materials_of(const FiberNames &fibers) const
     {
-      const FiberNames          names(fibers);
-      std::vector<unsigned int> numbers(fibers.size(), 0);
+      std::vector<unsigned int> numbers(fibers.n_fibers(), 0);
       for (unsigned int i = 0; i < materials.size(); ++i)
         {
           const std::string where = "Fiber/Material " + std::to_string(i + 1);
-          for (const unsigned int f : names.find(materials[i]->fibers, where))
+          for (const unsigned int f : fibers.find(materials[i]->fibers, where))
             {
               require(numbers[f] == 0,
                       where + ": \"Fibers\" has fiber " + std::to_string(f) +

@@ -42,7 +42,7 @@ namespace Heddle
       for (const Textile::FiberPath &path : paths)
         names.push_back({path.set, path.yarn_id});
       const std::vector<unsigned int> materials =
-        parameters.materials_of(names);
+        parameters.materials_of(FiberNames(names));
 
       std::vector<System::FiberSpace::Description> descriptions;
       for (unsigned int f = 0; f < paths.size(); ++f)

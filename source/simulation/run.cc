@@ -131,10 +131,7 @@ namespace Heddle
       {
         if (parameters.materials.empty())
           return "";
-        std::vector<FiberName> names;
-        for (unsigned int f = 0; f < space.n_fibers(); ++f)
-          names.push_back({space.fiber(f).set, space.fiber(f).yarn_id});
-        const auto  numbers = parameters.materials_of(names);
+        const auto  numbers = parameters.materials_of(space.names());
         std::string text;
         for (unsigned int i = 0; i <= parameters.materials.size(); ++i)
           text +=

@@ -17,7 +17,7 @@ namespace Heddle
     namespace
     {
       /** Iterations for fibers that nothing couples: more are in vain. */
-      constexpr unsigned int most_by_themselves = 20;
+      constexpr PetscInt most_by_themselves = 20;
 
       /** No tolerance of an iterative solver is looser. */
       constexpr double loosest = 0.9;
@@ -199,7 +199,8 @@ namespace Heddle
       preconditioner = std::make_unique<BlockPreconditioner>(system.state);
       preconditioner->attach_to(pc);
       petsc(KSPSetFromOptions(iterating));
-      petsc(KSPGetTolerances(iterating, &tolerance, nullptr, nullptr, nullptr));
+      petsc(KSPGetTolerances(
+        iterating, &tolerance, nullptr, nullptr, &max_iterations));
 
       petsc(KSPCreate(system.state.space.communicator(), &improving));
       petsc(KSPGetPC(improving, &pc));
@@ -262,20 +263,15 @@ namespace Heddle
       if (!iterating)
         begin_iterating();
       preconditioner->set_up(system, yarn_motions, gentle);
-      const bool by_themselves = exactly && !system.state.matrix();
-      petsc(KSPSetTolerances(
-        iterating,
-        PETSC_DEFAULT,
-        PETSC_DEFAULT,
-        PETSC_DEFAULT,
-        by_themselves ? std::min(most_by_themselves, parameters.max_iterations)
-                      : parameters.max_iterations));
+      const PetscInt most = exactly && !system.state.matrix()
+                              ? std::min(most_by_themselves, max_iterations)
+                              : max_iterations;
       petsc(KSPSetOperators(iterating,
                             system.has_couplings_apart() ? symmetric.matrix()
                                                          : system.tangent(),
                             system.tangent()));
       const bool converged =
-        run(iterating, std::min(looser * tolerance, loosest), result);
+        run(iterating, std::min(looser * tolerance, loosest), most, result);
       gentle = gentle || !converged;
       last   = iterating;
       if (!system.has_unsymmetric_terms())
@@ -287,19 +283,22 @@ namespace Heddle
         return converged;
       result.unsymmetric = left > no_use;
       petsc(KSPSetOperators(improving, whole.matrix(), system.tangent()));
-      return run(
-        improving, stricter * tolerance / std::max(good_enough, left), result);
+      return run(improving,
+                 stricter * tolerance / std::max(good_enough, left),
+                 parameters.max_iterations,
+                 result);
     }
 
 
 
     bool
-    LinearSolver::run(KSP           solver,
-                      const double  tolerance_now,
-                      LinearResult &result)
+    LinearSolver::run(KSP            solver,
+                      const double   tolerance_now,
+                      const PetscInt most_iterations,
+                      LinearResult  &result)
     {
       petsc(KSPSetTolerances(
-        solver, tolerance_now, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+        solver, tolerance_now, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations));
       petsc(KSPSolve(solver, system.right_hand_side(), system.solution()));
       KSPConvergedReason reason;
       PetscInt           iterations;

@@ -70,7 +70,7 @@ describe(const std::string &first, const std::string &second)
   parameters.materials[1]->material.axial_stiffness = 7.;
   try
     {
-      const auto numbers = parameters.materials_of(woven());
+      const auto numbers = parameters.materials_of(FiberNames(woven()));
       deallog << "materials:";
       for (const unsigned int number : numbers)
         deallog << ' ' << number;

@@ -27,6 +27,12 @@ namespace Heddle
   public:
     FiberNames(const std::vector<FiberName> &fibers);
 
+    unsigned int
+    n_fibers() const
+    {
+      return number_of_fibers;
+    }
+
     /**
      * Return the numbers of the fibers that the list @p words stands for, in
      * ascending order. Throw InputError if a word stands for none, or if there
@@ -40,7 +46,7 @@ namespace Heddle
     [[noreturn]] void
     complain(const std::string &word, const std::string &where) const;
 
-    const unsigned int                               n_fibers;
+    const unsigned int                               number_of_fibers;
     std::map<std::string, std::vector<unsigned int>> fibers_of_word;
 
     /** Numbers of the yarns of each set, those of fibers without one empty. */

@@ -32,7 +32,7 @@ namespace Heddle
        * what is no fiber, or a fiber of another one.
        */
       std::vector<unsigned int>
-      materials_of(const std::vector<FiberName> &fibers) const;
+      materials_of(const FiberNames &fibers) const;
 
       /** Return the material of this number. */
       const FiberMaterial &

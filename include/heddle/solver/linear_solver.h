@@ -118,7 +118,10 @@ namespace Heddle
 
       /** Return whether @p solver, as it is set up, converged. */
       bool
-      run(KSP solver, const double tolerance, LinearResult &result);
+      run(KSP            solver,
+          const double   tolerance,
+          const PetscInt most_iterations,
+          LinearResult  &result);
 
       /** What @p forces do along the motion that @p preconditioner makes of
        * them. */
@@ -133,14 +136,15 @@ namespace Heddle
       void
       factorize(LinearResult &result);
 
-      const LinearSolverParameters        &parameters;
-      const System::BlockSystem           &system;
-      const TangentOperator                symmetric, whole;
-      KSP                                  iterating   = nullptr;
-      KSP                                  improving   = nullptr;
-      KSP                                  factorizing = nullptr;
-      KSP                                  last        = nullptr;
-      double                               tolerance   = 0.; /**< usual [-] */
+      const LinearSolverParameters &parameters;
+      const System::BlockSystem    &system;
+      const TangentOperator         symmetric, whole;
+      KSP                           iterating   = nullptr;
+      KSP                           improving   = nullptr;
+      KSP                           factorizing = nullptr;
+      KSP                           last        = nullptr;
+      double                        tolerance   = 0.; /**< usual [-] */
+      PetscInt max_iterations = 0; /**< in force, as the tolerance is */
       std::unique_ptr<BlockPreconditioner> preconditioner;
 
       /** With the usual shift of unstable fibers a system was not solved. */
