@@ -180,6 +180,61 @@ namespace Heddle
           return i < j && a.curve.arc_lengths[j + 1] - a.curve.arc_lengths[i] >
                             least_self_separation(a.curve);
         }
+
+
+
+        /**
+         * Visit the pairs of intervals whose surfaces may be closer than
+         * @p distance, of a curve that @p begins and another one that it
+         * @p meets, until @p visit says that it has seen enough.
+         */
+        template <typename Begins, typename Meets, typename Visit>
+        void
+        visit_close_pairs(const std::vector<NumberedCurve> &curves,
+                          const double                      distance,
+                          const Begins                     &begins,
+                          const Meets                      &meets,
+                          const Visit                      &visit)
+        {
+          namespace bgi = boost::geometry::index;
+
+          std::vector<Entry>  entries;
+          std::vector<Bounds> bounds;
+          for (unsigned int c = 0; c < curves.size(); ++c)
+            for (unsigned int i = curves[c].curve.known.first;
+                 i + 1 < curves[c].curve.known.second;
+                 ++i)
+              {
+                const ControlPoints control =
+                  control_points(curves[c].curve, i);
+                entries.emplace_back(
+                  box(control, curves[c].curve.radius + 0.5 * distance),
+                  Interval{c, i, static_cast<unsigned int>(bounds.size())});
+                bounds.push_back(bound(control));
+              }
+          const bgi::rtree<Entry, bgi::linear<16>> tree(entries);
+
+          for (const Entry &entry : entries)
+            {
+              const NumberedCurve &a = curves[entry.second.curve];
+              const unsigned int   i = entry.second.interval;
+              if (!begins(a))
+                continue;
+              for (auto hit = tree.qbegin(bgi::intersects(entry.first));
+                   hit != tree.qend();
+                   ++hit)
+                {
+                  const NumberedCurve &b = curves[hit->second.curve];
+                  const unsigned int   j = hit->second.interval;
+                  if (meets(a, i, b, j) &&
+                      are_close(bounds[entry.second.bounds],
+                                bounds[hit->second.bounds],
+                                a.curve.radius + b.curve.radius + distance) &&
+                      visit(a, i, b, j))
+                    return;
+                }
+            }
+        }
       } // namespace BroadPhase
     }   // namespace internal
 
@@ -198,47 +253,57 @@ namespace Heddle
                     const double                      search_distance)
     {
       using namespace internal::BroadPhase;
-      namespace bgi = boost::geometry::index;
-
-      std::vector<Entry>  entries;
-      std::vector<Bounds> bounds;
-      for (unsigned int c = 0; c < curves.size(); ++c)
-        for (unsigned int i = curves[c].curve.known.first;
-             i + 1 < curves[c].curve.known.second;
-             ++i)
-          {
-            const ControlPoints control = control_points(curves[c].curve, i);
-            entries.emplace_back(
-              box(control, curves[c].curve.radius + 0.5 * search_distance),
-              Interval{c, i, static_cast<unsigned int>(bounds.size())});
-            bounds.push_back(bound(control));
-          }
-      const boost::geometry::index::rtree<Entry, bgi::linear<16>> tree(entries);
 
       std::vector<CandidatePair> candidates;
-      for (const Entry &entry : entries)
-        {
-          const NumberedCurve &a = curves[entry.second.curve];
-          const unsigned int   i = entry.second.interval;
-          if (!a.stale)
-            continue;
-          for (auto hit = tree.qbegin(bgi::intersects(entry.first));
-               hit != tree.qend();
-               ++hit)
-            {
-              const NumberedCurve &b = curves[hit->second.curve];
-              const unsigned int   j = hit->second.interval;
-              if (may_touch(a, i, b, j) &&
-                  are_close(bounds[entry.second.bounds],
-                            bounds[hit->second.bounds],
-                            a.curve.radius + b.curve.radius + search_distance))
-                candidates.push_back(a.fiber <= b.fiber
-                                       ? CandidatePair{a.fiber, b.fiber, i, j}
-                                       : CandidatePair{b.fiber, a.fiber, j, i});
-            }
-        }
+      visit_close_pairs(
+        curves,
+        search_distance,
+        [](const NumberedCurve &a) { return a.stale; },
+        may_touch,
+        [&](const NumberedCurve &a,
+            const unsigned int   i,
+            const NumberedCurve &b,
+            const unsigned int   j) {
+          candidates.push_back(a.fiber <= b.fiber
+                                 ? CandidatePair{a.fiber, b.fiber, i, j}
+                                 : CandidatePair{b.fiber, a.fiber, j, i});
+          return false;
+        });
       std::sort(candidates.begin(), candidates.end());
       return candidates;
+    }
+
+
+
+    bool
+    are_apart(const std::vector<NumberedCurve> &curves,
+              const double                      distance,
+              const double                      window)
+    {
+      using namespace internal::BroadPhase;
+
+      bool apart = true;
+      visit_close_pairs(
+        curves,
+        distance,
+        [](const NumberedCurve &) { return true; },
+        [window](const NumberedCurve &a,
+                 const unsigned int   i,
+                 const NumberedCurve &b,
+                 const unsigned int   j) {
+          return a.fiber < b.fiber ||
+                 (a.fiber == b.fiber && i < j &&
+                  a.curve.arc_lengths[j + 1] - a.curve.arc_lengths[i] >
+                    std::max(window, least_self_separation(a.curve)));
+        },
+        [&apart](const NumberedCurve &,
+                 const unsigned int,
+                 const NumberedCurve &,
+                 const unsigned int) {
+          apart = false;
+          return true;
+        });
+      return apart;
     }
   } // namespace Contact
 } // namespace Heddle

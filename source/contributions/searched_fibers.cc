@@ -4,6 +4,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace Heddle
@@ -55,6 +57,53 @@ namespace Heddle
       {
         return std::max((position + third * tangent).norm(),
                         (position - third * tangent).norm());
+      }
+
+
+
+      /**
+       * Control vectors of the derivative of a cubic in arc length, by those of
+       * it and its derivative at two knots: the derivative is a mean of them.
+       */
+      std::array<Tensor<1, 3>, 3>
+      control_vectors(const Tensor<1, 3> *positions,
+                      const Tensor<1, 3> *tangents,
+                      const double        third)
+      {
+        return {
+          {tangents[0],
+           (positions[1] - positions[0]) / third - tangents[0] - tangents[1],
+           tangents[1]}};
+      }
+
+
+
+      double
+      largest_derivative(const Tensor<1, 3> *positions,
+                         const Tensor<1, 3> *tangents,
+                         const double        third)
+      {
+        double largest = 0.;
+        for (const auto &vector : control_vectors(positions, tangents, third))
+          largest = std::max(largest, vector.norm());
+        return largest;
+      }
+
+
+
+      /** By how much the tangent turns from knot to knot at most [rad]. */
+      double
+      turn_of_tangents(const Tensor<1, 3> *positions,
+                       const Tensor<1, 3> *tangents,
+                       const double        third)
+      {
+        const auto control = control_vectors(positions, tangents, third);
+        double     turn    = 0.;
+        for (unsigned int k = 0; k < 2; ++k)
+          turn +=
+            std::atan2(cross_product_3d(control[k], control[k + 1]).norm(),
+                       control[k] * control[k + 1]);
+        return turn;
       }
     } // namespace
 
@@ -165,44 +214,111 @@ namespace Heddle
 
 
 
+    bool
+    SearchedFibers::hold_all() const
+    {
+      return Utilities::MPI::n_mpi_processes(space.communicator()) == 1;
+    }
+
+
+
+    void
+    SearchedFibers::find_motion(const unsigned int       f,
+                                const System::State     &state,
+                                const System::Increment &increment,
+                                Motion                  &motion) const
+    {
+      const System::Fiber &fiber = space.fiber(f);
+      motion.positions.resize(fiber.n_nodes);
+      motion.tangents.resize(fiber.n_nodes);
+      space.centerline_knots(f,
+                             space.all_nodes(f),
+                             increment.data() + state.local_block(f),
+                             motion.positions.data(),
+                             motion.tangents.data());
+      const double third = third_of_interval(fiber);
+      motion.furthest    = 0.;
+      for (unsigned int i = 0; i < fiber.n_nodes; ++i)
+        motion.furthest = std::max(
+          motion.furthest,
+          bound_of_motion(motion.positions[i], motion.tangents[i], third));
+
+      // Surfaces move with the vectors of the sections too.
+      if (space.n_blocks_per_node() == 3)
+        for (unsigned int b = 0; b < space.n_blocks(f); ++b)
+          if (b % 3 > 0)
+            motion.furthest = std::max(
+              motion.furthest,
+              fiber.radius * increment[state.local_block(f) + b].norm());
+    }
+
+
+
     double
     SearchedFibers::searched_step(const System::State       &state,
                                   const System::Increment   &increment,
                                   const std::vector<double> &thickness) const
     {
       // Nothing may leave the range within which all pairs are known.
-      double                    factor = std::numeric_limits<double>::max();
-      std::vector<Tensor<1, 3>> positions, tangents;
-      const auto                owned = space.owned_fibers();
+      double     factor = std::numeric_limits<double>::max();
+      Motion     motion;
+      const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
-          double largest = 0.;
-          positions.resize(space.fiber(f).n_nodes);
-          tangents.resize(space.fiber(f).n_nodes);
-          space.centerline_knots(f,
-                                 space.all_nodes(f),
-                                 increment.data() + state.local_block(f),
-                                 positions.data(),
-                                 tangents.data());
-          const double third = third_of_interval(space.fiber(f));
-          for (unsigned int i = 0; i < positions.size(); ++i)
-            largest = std::max(
-              largest, bound_of_motion(positions[i], tangents[i], third));
-
-          // Surfaces move with the vectors of the sections too.
-          if (space.n_blocks_per_node() == 3)
-            for (unsigned int b = 0; b < space.n_blocks(f); ++b)
-              if (b % 3 > 0)
-                largest =
-                  std::max(largest,
-                           space.fiber(f).radius *
-                             increment[state.local_block(f) + b].norm());
+          find_motion(f, state, increment, motion);
           const double allowed =
             std::min(longest_step * search_distance * largest_radius,
                      part_of_thickness * thickness[f]);
-          factor = std::min(factor, allowed / std::max(largest, 1e-300));
+          factor =
+            std::min(factor, allowed / std::max(motion.furthest, 1e-300));
         }
       return factor;
+    }
+
+
+
+    double
+    SearchedFibers::clear_step(const System::State     &state,
+                               const System::Increment &increment) const
+    {
+      // An arc that turns by no more than 60 degrees lies within 30 of one
+      // direction, and within 60 if its tangents turn by 30: along that it goes
+      // on, and does not meet itself.
+      double furthest = 0., turn = 0., bend = 0., interval = 0.;
+      Motion motion;
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        {
+          find_motion(f, state, increment, motion);
+          const double third = third_of_interval(space.fiber(f));
+          const auto   knots = centerlines.knots(f);
+          furthest           = std::max(furthest, motion.furthest);
+          interval           = std::max(interval, 3. * third);
+          for (unsigned int i = 0; i + 1 < motion.positions.size(); ++i)
+            {
+              const unsigned int k = knots.first + i;
+              turn                 = std::max(turn,
+                              largest_derivative(motion.positions.data() + i,
+                                                 motion.tangents.data() + i,
+                                                 third));
+              bend =
+                std::max(bend,
+                         turn_of_tangents(centerlines.positions().data() + k,
+                                          centerlines.tangents().data() + k,
+                                          third) /
+                           (3. * third));
+            }
+        }
+      const double most = std::min(1., 0.5 / std::max(turn, 1e-300));
+      const double window =
+        numbers::PI / 3. / std::max(bend, 1e-300) - interval;
+      const double known = search_distance * largest_radius;
+      double       clear = most * furthest / longest_step;
+      while (clear > known &&
+             !Contact::are_apart(all_curves.all(), clear, window))
+        clear *= 0.5;
+      return std::min(most,
+                      longest_step * std::max(clear, known) /
+                        std::max(furthest, 1e-300));
     }
   } // namespace Contributions
 } // namespace Heddle

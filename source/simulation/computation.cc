@@ -440,9 +440,11 @@ namespace Heddle
       const Post::Bend bend = Post::sharpest_bend(scene.state());
       if (!bend.is_a_kink())
         return "";
-      return bend.in_words() +
-             ", where it is no beam and its contacts are not unique: thinner "
-             "fibers are bent less, and those of a larger Fiber/Shear "
+      return bend.in_words() + ", where it is no beam" +
+             (parameters.contact.enabled ? " and its contacts are not unique"
+                                         : "") +
+             ": thinner fibers are bent less, and those of a larger "
+             "Fiber/Shear "
              "stiffness or Fiber/Bending stiffness";
     }
 

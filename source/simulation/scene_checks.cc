@@ -136,7 +136,12 @@ namespace Heddle
                ? ""
                : "fibers are curved when free, and without torsion, as Fiber/"
                  "Element = hermite has them, they bend into another plane for "
-                 "nothing: 'director' has torsion";
+                 "nothing: 'director' has torsion" +
+                   std::string(parameters.matrix.enabled &&
+                                   parameters.matrix.points_per_element == 0
+                                 ? ", and Matrix/Coupling points per element = "
+                                   "2 holds their tangents"
+                                 : "");
     }
 
 

@@ -70,7 +70,7 @@ namespace Heddle
       /** Iterations at rest, one after the other, to which a term objects. */
       constexpr unsigned int most_objections = 5;
 
-      /** Iterations after which a search without contact is held back. */
+      /** Whole steps after which a search without contact is held back. */
       constexpr unsigned int most_unguarded = 30;
 
       /** Searches of contacts along one step where there is none. */
@@ -111,17 +111,19 @@ namespace Heddle
                   const System::Increment &guess)
     {
       begin(state);
+      secants->forget();
       find_negligible_forces(state, contributions);
       const bool        guessed = follow(state, contributions, guess);
       NewtonResult      result;
       LinearResult      linear;
       System::Increment increment;
-      unsigned int      adapted_at = 0, n_pending = 0, n_objections = 0;
+      double            wanted = 0.; /**< by the last system, in radii */
+      unsigned int adapted_at = 0, n_pending = 0, n_objections = 0, n_whole = 0;
 
       // An equilibrium that is not stable, or that is not in sight, is left for
       // one that is found from the start on, held back as where fibers touch.
       const std::vector<Tensor<1, 3>> start   = state.current();
-      bool                            guarded = false;
+      bool                            guarded = false, softened = false;
       unsigned int limit = state.load_factor == 0. ? parameters.max_at_zero
                                                    : parameters.max_iterations;
       const auto   begin_again = [&](const std::string &reason) {
@@ -182,10 +184,12 @@ namespace Heddle
 
           // Equilibrium counts only if it holds for what is guessed better,
           // and if no term objects to it.
-          bool       balanced = is_balanced(residual);
+          bool balanced = is_balanced(residual);
+          // Where all forces are last digits a step that is cut says nothing.
           const bool still =
             (iteration > 0 &&
-             result.increment <= parameters.increment_tolerance) ||
+             (residual.ratio > 0. ? result.increment : wanted) <=
+               parameters.increment_tolerance) ||
             residual.largest_force == 0.;
           if (balanced && still && adapt(state, contributions))
             {
@@ -236,7 +240,7 @@ namespace Heddle
 
           // Without bounds Newton's method goes to and fro where a structure
           // snaps through: held back, its energy falls.
-          if (iteration == most_unguarded && !rough && !guarded &&
+          if (n_whole == most_unguarded && !rough && !guarded &&
               !linear.unsymmetric && !state.matrix())
             {
               begin_again("no equilibrium in sight");
@@ -265,7 +269,15 @@ namespace Heddle
           const bool held = rough || guarded;
           if (held)
             damping->add_to(*block_system, state);
-          linear = solve_linear_system(rough, aim, increment);
+          // Steps tell of the stiffness of the terms as they are, and nothing
+          // of use as long as fibers find their places.
+          const double pending  = residual.pending / length_scale;
+          const bool   in_place = pending <= reached;
+          softened              = softened || softness > 0.;
+          if (adapted_at == iteration)
+            secants->forget();
+          linear = solve_linear_system(
+            rough, aim, rough && in_place && !softened, increment);
           result.linear_iterations += linear.iterations;
           result.factorizations += linear.factorizations;
 
@@ -277,6 +289,7 @@ namespace Heddle
               continue;
             }
           const double motion = largest_motion(state, increment);
+          wanted              = motion;
           if (linear.singular || !std::isfinite(motion))
             {
               result.obstacle = "the linear system is singular: a fiber may be "
@@ -287,8 +300,7 @@ namespace Heddle
           // step and not what is left of it after a guess. What little is left
           // of it is not searched for long: a search that cuts the step again
           // and again would never get there.
-          const double pending = residual.pending / length_scale;
-          const bool   search =
+          const bool search =
             held && n_pending < most_searched &&
             LineSearch::driven_by_forces(*block_system, increment);
           n_pending = pending > reached && pending < little ? n_pending + 1 : 0;
@@ -305,7 +317,6 @@ namespace Heddle
               continue;
             }
 
-          const bool   in_place = pending <= reached;
           const double longest =
             in_place ? std::max(1., longest_stretched_motion / motion) : 1.;
           const double taken = held ? step_length(state,
@@ -324,6 +335,8 @@ namespace Heddle
             damping->adapt(state, increment, taken, length_scale);
           for (Tensor<1, 3> &motion_of_block : increment)
             motion_of_block *= taken;
+          n_whole += taken < 1. ? 0 : 1;
+          secants->take(taken);
           for (const auto &contribution : contributions)
             contribution->predict(state, increment);
           state.move(1., increment);
@@ -365,10 +378,21 @@ namespace Heddle
     LinearResult
     Newton::solve_linear_system(const bool         rough,
                                 const Aim          aim,
+                                const bool         learn,
                                 System::Increment &increment)
     {
       SectionTimer::Scope scope(timer, "linear solver");
       block_system->end();
+
+      // Friction is not the derivative of an energy, as secants have it.
+      const bool with_secants = learn && !block_system->has_unsymmetric_terms();
+      if (with_secants)
+        {
+          secants->observe(block_system->right_hand_side());
+          secants->reduce(block_system->right_hand_side());
+        }
+      else
+        secants->forget();
 
       // Damping mends what is not positive definite, where there is any.
       // What is not found of how yarns move damps them while surfaces are
@@ -379,6 +403,9 @@ namespace Heddle
         linear_solver->solve(!rough,
                              /*yarn_motions=*/!rough || softness == 0.,
                              aim == Aim::calm ? looser_before_friction : 1.);
+      if (with_secants)
+        secants->complete(block_system->right_hand_side(),
+                          block_system->solution());
       block_system->extract_increment(increment);
       return linear;
     }

@@ -53,6 +53,7 @@ namespace Heddle
                                   /*matrix=*/state.matrix() != nullptr));
       linear_solver =
         std::make_unique<LinearSolver>(linear_parameters, *block_system);
+      secants = std::make_unique<Secants>();
       damping = std::make_unique<FiberDamping>(state.space, parameters.damping);
       length_scale = state.space.fiber(0).radius;
       for (unsigned int f = 0; f < state.space.n_fibers(); ++f)

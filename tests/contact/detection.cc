@@ -296,11 +296,68 @@ searched_in_part()
 
 
 
+/**
+ * Fibers are apart as far as no candidates are found, with all parts of their
+ * arcs; with long ones left out, as far as none is found of two fibers or of
+ * such parts.
+ */
+void
+apart()
+{
+  unsigned int n_apart = 0, n_wrong = 0, n_more = 0;
+  for (unsigned int seed = 0; seed < 100; ++seed)
+    {
+      RandomNumbers      random(seed);
+      std::vector<Knots> knots;
+      for (unsigned int f = 0; f < 2; ++f)
+        {
+          const Tensor<1, 3> along = random.direction();
+          const Tensor<1, 3> middle({random.between(-9., 9.),
+                                     random.between(-9., 9.),
+                                     random.between(-9., 9.)});
+          knots.emplace_back(
+            wavy_line(middle - 15. * along, along, 30., 5., random),
+            /*n_intervals=*/9);
+        }
+      std::vector<NumberedCurve> curves;
+      for (unsigned int f = 0; f < 2; ++f)
+        curves.push_back({f, true, knots[f].curve(0.2)});
+      const double distance = random.between(0.1, 4.);
+      for (const double window : {0., 8., 1e300})
+        {
+          const auto pairs = Heddle::Contact::find_candidates(curves, distance);
+          const bool none =
+            std::none_of(pairs.begin(), pairs.end(), [&](const auto &pair) {
+              const auto &arc = curves[pair.fiber_a].curve.arc_lengths;
+              return pair.fiber_a != pair.fiber_b ||
+                     arc[pair.interval_b + 1] - arc[pair.interval_a] > window;
+            });
+          // Fibers that are not stale are looked at as well.
+          for (NumberedCurve &curve : curves)
+            curve.stale = false;
+          const bool said =
+            Heddle::Contact::are_apart(curves, distance, window);
+          for (NumberedCurve &curve : curves)
+            curve.stale = true;
+          n_wrong += said == none ? 0 : 1;
+          n_apart += said ? 1 : 0;
+          n_more += said && !pairs.empty() ? 1 : 0;
+        }
+    }
+  deallog << "apart as often as not: "
+          << (n_apart > 50 && n_apart < 250 ? "yes" : "no") << ", wrong "
+          << n_wrong << ", near to themselves only, within the window: "
+          << (n_more > 20 ? "often" : "seldom") << std::endl;
+}
+
+
+
 int
 main()
 {
   initlog();
   run_part("Candidates", candidates);
+  run_part("Distances of all fibers", apart);
   run_part("Cells that are passed over", passed_over);
   run_part("Fibers that are searched anew", searched_in_part);
 }

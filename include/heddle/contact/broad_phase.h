@@ -34,6 +34,16 @@ namespace Heddle
     std::vector<CandidatePair>
     find_candidates(const std::vector<NumberedCurve> &curves,
                     const double                      search_distance);
+
+    /**
+     * Whether no surfaces are closer than @p distance [mm]: neither those of
+     * two of the @p curves, nor that of one with itself where more than @p
+     * window of its arc is between [mm]. All are looked at, stale or not.
+     */
+    bool
+    are_apart(const std::vector<NumberedCurve> &curves,
+              const double                      distance,
+              const double                      window);
   } // namespace Contact
 } // namespace Heddle
 

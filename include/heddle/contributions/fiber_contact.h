@@ -94,7 +94,9 @@ namespace Heddle
       searched_step(const System::State     &state,
                     const System::Increment &increment) const override
       {
-        return fibers.searched_step(state, increment, thickness);
+        return statistics.n_watched == 0. && fibers.hold_all()
+                 ? fibers.clear_step(state, increment)
+                 : fibers.searched_step(state, increment, thickness);
       }
 
       bool

@@ -93,7 +93,33 @@ namespace Heddle
                     const System::Increment   &increment,
                     const std::vector<double> &thickness) const;
 
+      /** Whether this rank has all fibers. */
+      bool
+      hold_all() const;
+
+      /**
+       * The same where nothing is watched: as far as that is still so on the
+       * way, by how far all fibers are apart. For a rank that holds them all.
+       */
+      double
+      clear_step(const System::State     &state,
+                 const System::Increment &increment) const;
+
     private:
+      /** The change of a centerline along a step. */
+      struct Motion
+      {
+        std::vector<Tensor<1, 3>> positions, tangents; /**< of knots */
+        double                    furthest = 0.; /**< of its surface [mm] */
+      };
+
+      /** Set @p motion to that of the owned fiber @p f. */
+      void
+      find_motion(const unsigned int       f,
+                  const System::State     &state,
+                  const System::Increment &increment,
+                  Motion                  &motion) const;
+
       /** Return whether there are others now. */
       bool
       fetch_near_fibers(System::State &state);

@@ -9,6 +9,7 @@
 #include <heddle/solver/linear_solver.h>
 #include <heddle/solver/newton_parameters.h>
 #include <heddle/solver/residual.h>
+#include <heddle/solver/secants.h>
 
 #include <memory>
 #include <string>
@@ -146,10 +147,14 @@ namespace Heddle
       bool
       is_unstable(System::State &state, const Contributions &contributions);
 
-      /** The step of all blocks that the system as assembled asks for. */
+      /**
+       * The step of all blocks that the system as assembled asks for, by what
+       * steps before have told if they are to be learned from.
+       */
       LinearResult
       solve_linear_system(const bool         rough,
                           const Aim          aim,
+                          const bool         learn,
                           System::Increment &increment);
 
       /** How soft rough terms are, from 1 to 0. */
@@ -216,6 +221,7 @@ namespace Heddle
       std::unique_ptr<System::BlockSystem> block_system;
       std::unique_ptr<LinearSolver>        linear_solver;
       std::unique_ptr<FiberDamping>        damping;
+      std::unique_ptr<Secants>             secants;
       unsigned int                         ghost_version = 0;
       unsigned int                         field_version = 0;
       std::vector<System::Constraint>      constraints;
