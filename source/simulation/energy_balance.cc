@@ -86,8 +86,9 @@ namespace Heddle
       if (path > 0.)
         text << ", " << 100. * std::abs(sum) / path << " % of the work,";
       if (sum < 0.)
-        text << " is in no energy: fibers have snapped from one equilibrium to "
-                "another, or steps are too long";
+        text
+          << " is in no energy: steps are too long, or, if more of them do not "
+             "mend it, fibers have snapped from one equilibrium to another";
       else
         text << " was not done by supports or loads, and is in the energies: "
                 "steps are too long";

@@ -10,7 +10,7 @@ namespace Heddle
     namespace
     {
       /** Steps that are kept. */
-      constexpr unsigned int n_kept = 8;
+      constexpr unsigned int n_steps_kept = 8;
 
       /**
        * Forces that change by less than this part of what they were promise
@@ -56,14 +56,14 @@ namespace Heddle
         }
       if (known && step_taken > 0.)
         {
-          if (pairs.size() < n_kept)
+          if (pairs.size() < n_steps_kept)
             {
               pairs.emplace_back();
               petsc(VecDuplicate(right_hand_side, &pairs.back().motion));
               petsc(VecDuplicate(right_hand_side, &pairs.back().change));
               std::rotate(pairs.begin() + n_used, pairs.end() - 1, pairs.end());
             }
-          else if (n_used == n_kept)
+          else if (n_used == n_steps_kept)
             {
               std::rotate(pairs.begin(), pairs.begin() + 1, pairs.end());
               --n_used;
