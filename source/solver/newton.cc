@@ -70,6 +70,13 @@ namespace Heddle
       /** Iterations at rest, one after the other, to which a term objects. */
       constexpr unsigned int most_objections = 5;
 
+      /**
+       * Iterations before what steps tell of the stiffness is made use of: few
+       * searches take more, and where fibers find their places, as while they
+       * are put in order, it leads astray (doc/what_was_tried.md).
+       */
+      constexpr unsigned int most_without_secants = 10;
+
       /** Whole steps after which a search without contact is held back. */
       constexpr unsigned int most_unguarded = 30;
 
@@ -276,8 +283,11 @@ namespace Heddle
           softened              = softened || softness > 0.;
           if (adapted_at == iteration)
             secants->forget();
-          linear = solve_linear_system(
-            rough, aim, rough && in_place && !softened, increment);
+          linear = solve_linear_system(rough,
+                                       aim,
+                                       rough && in_place && !softened &&
+                                         iteration >= most_without_secants,
+                                       increment);
           result.linear_iterations += linear.iterations;
           result.factorizations += linear.factorizations;
 
