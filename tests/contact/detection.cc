@@ -46,6 +46,20 @@ least_distance(const Heddle::Contact::Curve &a,
 
 
 
+/** Somewhere in a cube, in any direction, with high waves. */
+Knots
+wavy_fiber(const unsigned int n_intervals, RandomNumbers &random)
+{
+  const Tensor<1, 3> along = random.direction();
+  const Tensor<1, 3> middle({random.between(-9., 9.),
+                             random.between(-9., 9.),
+                             random.between(-9., 9.)});
+  return Knots(wavy_line(middle - 15. * along, along, 30., 5., random),
+               n_intervals);
+}
+
+
+
 /**
  * No pair of intervals that dense sampling finds within the search distance is
  * missed, and the candidates are not many more than those.
@@ -64,15 +78,7 @@ candidates()
           RandomNumbers      random(seed);
           std::vector<Knots> knots;
           for (unsigned int f = 0; f < n_sampled_fibers; ++f)
-            {
-              const Tensor<1, 3> along = random.direction();
-              const Tensor<1, 3> middle({random.between(-9., 9.),
-                                         random.between(-9., 9.),
-                                         random.between(-9., 9.)});
-              knots.emplace_back(
-                wavy_line(middle - 15. * along, along, 30., 5., random),
-                n_intervals);
-            }
+            knots.push_back(wavy_fiber(n_intervals, random));
           std::vector<NumberedCurve> curves;
           for (unsigned int f = 0; f < n_sampled_fibers; ++f)
             curves.push_back({f, true, knots[f].curve(0.4 + 0.05 * f)});
@@ -310,15 +316,7 @@ apart()
       RandomNumbers      random(seed);
       std::vector<Knots> knots;
       for (unsigned int f = 0; f < 2; ++f)
-        {
-          const Tensor<1, 3> along = random.direction();
-          const Tensor<1, 3> middle({random.between(-9., 9.),
-                                     random.between(-9., 9.),
-                                     random.between(-9., 9.)});
-          knots.emplace_back(
-            wavy_line(middle - 15. * along, along, 30., 5., random),
-            /*n_intervals=*/9);
-        }
+        knots.push_back(wavy_fiber(/*n_intervals=*/9, random));
       std::vector<NumberedCurve> curves;
       for (unsigned int f = 0; f < 2; ++f)
         curves.push_back({f, true, knots[f].curve(0.2)});
