@@ -1,4 +1,5 @@
 #include <heddle/base/reduce.h>
+#include <heddle/contact/geometric_stiffness.h>
 #include <heddle/contributions/centerlines.h>
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/interval_pairs.h>
@@ -263,6 +264,26 @@ namespace Heddle
 
 
 
+    SymmetricTensor<2, 3>
+    FiberContact::tangent(const Contact::ContactElement &element) const
+    {
+      const SymmetricTensor<2, 3> normal =
+        stiffness(element) *
+        symmetrize(outer_product(element.normal, element.normal));
+      if (!forces_turn)
+        return normal;
+      const double distance = space.fiber(element.fiber_a).radius +
+                              space.fiber(element.fiber_b).radius -
+                              element.forgiven + element.gap;
+      return normal +
+             Contact::geometric_stiffness(fibers.curves()[element.fiber_a],
+                                          fibers.curves()[element.fiber_b],
+                                          element,
+                                          distance);
+    }
+
+
+
     void
     FiberContact::gather_statistics()
     {
@@ -374,41 +395,36 @@ namespace Heddle
     {
       System::AxisCouplings::Blocks blocks;
       System::AxisCouplings::Term   term;
-      std::array<double, 24>        direction;
       SummedTerms of_pairs(system), of_a(system), of_b(system);
       for (const Contact::ContactElement &element : contact_elements)
         if (element.force > 0.)
           {
+            // The gap changes by normal . motion, the energy by -force.
+            const Tensor<1, 3> force = -element.force * element.normal;
             locate(state, element, blocks, term.weights);
+            if (system.wants_tangent())
+              term.stiffness = tangent(element);
             if (system.keeps_couplings_apart())
               {
-                if (system.wants_tangent())
-                  term.stiffness =
-                    stiffness(element) *
-                    symmetrize(outer_product(element.normal, element.normal));
-                add_side_by_side<4>(
-                  blocks, term, -element.force * element.normal, of_a, of_b);
+                add_side_by_side<4>(blocks, term, force, of_a, of_b);
                 if (system.wants_tangent())
                   system.axis_couplings().add_term(blocks, term);
                 continue;
               }
 
-            // The gap changes by direction . motion, the energy by -force.
             of_pairs.begin(8, blocks.data());
             for (unsigned int i = 0; i < 8; ++i)
               for (unsigned int d = 0; d < 3; ++d)
-                {
-                  direction[3 * i + d] = term.weights[i] * element.normal[d];
-                  of_pairs.residual()[3 * i + d] -=
-                    element.force * direction[3 * i + d];
-                }
+                of_pairs.residual()[3 * i + d] += term.weights[i] * force[d];
             if (system.wants_tangent())
               {
-                const double k       = stiffness(element);
-                double      *tangent = of_pairs.tangent();
-                for (unsigned int i = 0; i < 24; ++i)
-                  for (unsigned int j = 0; j < 24; ++j)
-                    tangent[24 * i + j] += k * direction[i] * direction[j];
+                double *sum = of_pairs.tangent();
+                for (unsigned int i = 0; i < 8; ++i)
+                  for (unsigned int d = 0; d < 3; ++d)
+                    for (unsigned int j = 0; j < 8; ++j)
+                      for (unsigned int e = 0; e < 3; ++e)
+                        *sum++ += term.weights[i] * term.weights[j] *
+                                  term.stiffness[d][e];
               }
           }
       for (SummedTerms *terms : {&of_pairs, &of_a, &of_b})
@@ -427,11 +443,11 @@ namespace Heddle
       for (const Contact::ContactElement &element : contact_elements)
         if (element.force > 0. && space.owns(element.fiber_a))
           {
-            const double opening =
-              element.normal * (motion.curve(element.fiber_a).at(element.s_a) -
-                                motion.curve(element.fiber_b).at(element.s_b));
-            slope -= element.force * opening;
-            curvature += stiffness(element) * opening * opening;
+            const Tensor<1, 3> apart =
+              motion.curve(element.fiber_a).at(element.s_a) -
+              motion.curve(element.fiber_b).at(element.s_b);
+            slope -= element.force * (element.normal * apart);
+            curvature += apart * (tangent(element) * apart);
           }
       return {slope, curvature};
     }

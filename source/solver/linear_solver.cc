@@ -272,7 +272,9 @@ namespace Heddle
                             system.tangent()));
       const bool converged =
         run(iterating, std::min(looser * tolerance, loosest), most, result);
-      gentle = gentle || !converged;
+      // That a tangent is not positive definite is not the preconditioner's
+      // fault.
+      gentle = gentle || !(converged || result.indefinite);
       last   = iterating;
       if (!system.has_unsymmetric_terms())
         return converged;
@@ -305,6 +307,7 @@ namespace Heddle
       petsc(KSPGetConvergedReason(solver, &reason));
       petsc(KSPGetIterationNumber(solver, &iterations));
       result.iterations += iterations;
+      result.indefinite = reason == KSP_DIVERGED_INDEFINITE_MAT;
       return reason > 0;
     }
 

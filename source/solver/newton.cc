@@ -77,6 +77,14 @@ namespace Heddle
        */
       constexpr unsigned int most_without_secants = 10;
 
+      /**
+       * Iterations of a search before the forces of contact turn in the
+       * tangent, and the largest motion in the last one, in radii. Further from
+       * equilibrium what makes them slide makes them slide too far.
+       */
+      constexpr unsigned int most_unturned = 5;
+      constexpr double       near_rest     = 0.01;
+
       /** Whole steps after which a search without contact is held back. */
       constexpr unsigned int most_unguarded = 30;
 
@@ -143,9 +151,15 @@ namespace Heddle
         limit += result.iterations;
       };
 
+      // Whether forces may turn in the tangent, and did so in the last
+      // iteration.
+      bool   may_turn = true, turned = false;
+      double ratio_before = 0.;
+
       const Calm &calmness =
         aim == Aim::calm ? before_friction : before_equilibrium;
       set_softness(contributions, 0.);
+      let_forces_turn(contributions, false);
       damping->reset(/*in_motion=*/false);
       for (unsigned int iteration = 0;; ++iteration)
         {
@@ -274,8 +288,6 @@ namespace Heddle
             }
 
           const bool held = rough || guarded;
-          if (held)
-            damping->add_to(*block_system, state);
           // Steps tell of the stiffness of the terms as they are, and nothing
           // of use as long as fibers find their places.
           const double pending  = residual.pending / length_scale;
@@ -283,13 +295,37 @@ namespace Heddle
           softened              = softened || softness > 0.;
           if (adapted_at == iteration)
             secants->forget();
-          linear = solve_linear_system(rough,
-                                       aim,
-                                       rough && in_place && !softened &&
-                                         iteration >= most_without_secants,
-                                       increment);
-          result.linear_iterations += linear.iterations;
-          result.factorizations += linear.factorizations;
+          const bool learn =
+            rough && in_place && !softened && iteration >= most_without_secants;
+
+          // An iteration in which forces turned in vain is followed by one in
+          // which they do not.
+          turned = rough && in_place && softness == 0. && may_turn &&
+                   iteration >= most_unturned && result.increment < near_rest &&
+                   !(turned && residual.ratio > ratio_before);
+          ratio_before = residual.ratio;
+          if (turned)
+            {
+              let_forces_turn(contributions, true);
+              assemble(state, contributions);
+            }
+          for (bool solved = false; !solved;)
+            {
+              if (held)
+                damping->add_to(*block_system, state);
+              linear = solve_linear_system(rough, aim, learn, increment);
+              result.linear_iterations += linear.iterations;
+              result.factorizations += linear.factorizations;
+              solved =
+                !turned || !(linear.singular || linear.indefinite ||
+                             LineSearch::slope(*block_system, increment) > 0.);
+              if (!solved)
+                {
+                  may_turn = turned = false;
+                  let_forces_turn(contributions, false);
+                  assemble(state, contributions);
+                }
+            }
 
           // Chance makes a tangent that is not positive definite singular.
           if (linear.singular && held && damping->raise())
@@ -336,6 +372,7 @@ namespace Heddle
                                                   search,
                                                   linear.unsymmetric)
                                     : walk(state, contributions, increment);
+          let_forces_turn(contributions, false);
           if (!in_place && taken < least_part_of_step)
             {
               result.obstacle = not_arrived;
@@ -428,6 +465,16 @@ namespace Heddle
       softness = value;
       for (const auto &contribution : contributions)
         contribution->set_softness(value);
+    }
+
+
+
+    void
+    Newton::let_forces_turn(const Contributions &contributions,
+                            const bool           wanted)
+    {
+      for (const auto &contribution : contributions)
+        contribution->let_forces_turn(wanted);
     }
 
 

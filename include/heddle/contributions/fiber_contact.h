@@ -76,6 +76,12 @@ namespace Heddle
         placed   = false;
       }
 
+      void
+      let_forces_turn(const bool wanted) override
+      {
+        forces_turn = wanted;
+      }
+
       /** Nothing is rough as long as no fibers come near each other. */
       bool
       is_rough() const override
@@ -232,6 +238,11 @@ namespace Heddle
       double
       energy_of_hardening();
 
+      /** Of the force by the motion of one particle, the other at rest [N/mm].
+       */
+      SymmetricTensor<2, 3>
+      tangent(const Contact::ContactElement &element) const;
+
       /** Local blocks of the particles of an element and their weights. */
       void
       locate(const System::State            &state,
@@ -248,7 +259,8 @@ namespace Heddle
       const double              refinement;
       double                    threshold;
       const double              largest_radius;
-      double                    softness = 0.;
+      double                    softness    = 0.;
+      bool                      forces_turn = false;
 
       /** Energy that penalties have brought by growing [N mm]. */
       double hardening = 0.;

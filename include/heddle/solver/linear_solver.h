@@ -54,7 +54,7 @@ namespace Heddle
       unsigned int factorizations = 0;
       bool         singular       = false; /**< then there is no solution */
       bool         unsymmetric    = false; /**< far from symmetric */
-      bool         indefinite     = false; /**< as a factorization has found */
+      bool         indefinite     = false; /**< as has been found */
     };
 
     /**

@@ -161,6 +161,10 @@ namespace Heddle
       void
       set_softness(const Contributions &contributions, const double value);
 
+      /** Whether forces of rough terms turn in the tangent. */
+      void
+      let_forces_turn(const Contributions &contributions, const bool wanted);
+
       /** Let terms improve their guesses; whether one did. */
       bool
       adapt(System::State &state, const Contributions &contributions);

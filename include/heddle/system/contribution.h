@@ -168,6 +168,16 @@ namespace Heddle
       }
 
       /**
+       * Whether the tangent of a rough term has the part that its forces turn
+       * by, which close to equilibrium makes it exact, and may make it
+       * indefinite.
+       */
+      virtual void
+      let_forces_turn(const bool)
+      {
+      }
+
+      /**
        * Whether this term is too rough for Newton's full step: then the solver
        * looks for a shorter one with the help of slope_and_curvature().
        */
