@@ -23,6 +23,13 @@ namespace Heddle
       constexpr double least_power = 0.1;
 
       /**
+       * Over the first penalty: where that does not keep fibers apart, as those
+       * that supports hold in each other, nothing will. Fabrics need up to
+       * 1e4.
+       */
+      constexpr double stiffest = 1e7;
+
+      /**
        * By how much a penalty is to be raised for a penetration, in radii, to
        * come to the one that is wanted. The penetration goes like a power of
        * the penalty: the first where the force is given, hardly at all where
@@ -296,14 +303,15 @@ namespace Heddle
 
 
 
-    void
+    bool
     ContactCells::adapt(const double threshold)
     {
+      bool changed = false;
       for (ContactCell &cell : all_cells)
         {
           const Zone  &zone        = all_zones[cell.zone];
           const double penetration = zone.penetration / zone.radius;
-          if (penetration > near * threshold)
+          if (penetration > near * threshold && !is_stiffest(cell))
             {
               const double growth =
                 growth_of_penalty(cell, penetration, safety * threshold);
@@ -311,8 +319,19 @@ namespace Heddle
               cell.hardened *= growth;
               cell.raised_by  = growth;
               cell.raised_for = penetration;
+              changed         = true;
             }
         }
+      return changed;
+    }
+
+
+
+    bool
+    ContactCells::is_stiffest(const ContactCell &cell) const
+    {
+      return cell.penalty >
+             stiffest * cell.kept * first_penalty(cell.fiber_a, cell.fiber_b);
     }
   } // namespace Contact
 } // namespace Heddle

@@ -469,9 +469,10 @@ namespace Heddle
       const double allowed = std::max(threshold, softness * thickest_skin);
       if (statistics.deepest <= allowed)
         return false;
-      cells.adapt(allowed);
-      placed = false;
-      return true;
+      const bool changed =
+        Utilities::MPI::logical_or(cells.adapt(allowed), space.communicator());
+      placed = placed && !changed;
+      return changed;
     }
 
 

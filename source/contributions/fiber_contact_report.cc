@@ -63,6 +63,36 @@ namespace Heddle
 
 
     std::string
+    FiberContact::jam_in_words() const
+    {
+      double      deepest = threshold;
+      std::string pair;
+      for (const Contact::ContactCell &cell : cells.cells())
+        {
+          const Contact::ContactCells::Zone &zone = cells.zones()[cell.zone];
+          if (cells.is_stiffest(cell) &&
+              zone.penetration / zone.radius > deepest)
+            {
+              deepest = zone.penetration / zone.radius;
+              pair    = std::to_string(cell.fiber_a) + " and " +
+                     std::to_string(cell.fiber_b);
+            }
+        }
+      const auto where =
+        Utilities::MPI::min_max_avg(deepest, space.communicator());
+      pair =
+        Utilities::MPI::broadcast(space.communicator(), pair, where.max_index);
+      return pair.empty()
+               ? ""
+               : "fibers " + pair +
+                   " are held so near to each other, by supports or by stiff "
+                   "neighbours, that no contact force parts them: let them be "
+                   "further apart, or raise Contact/Penetration threshold";
+    }
+
+
+
+    std::string
     FiberContact::status() const
     {
       std::ostringstream text;

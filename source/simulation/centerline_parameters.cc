@@ -15,7 +15,8 @@ namespace Heddle
                     "such as the centerlines.csv of another run; as seen from "
                     "the folder of the parameter file. Supports and loads find "
                     "fibers by their set; those of the same yarn are measured "
-                    "together. Inactive if Run/Scene is 'weave', like all of "
+                    "together. A fiber has one radius, the mean of those of "
+                    "its points. Inactive if Run/Scene is 'weave', like all of "
                     "this section [-].");
       add_parameter("Element length",
                     entries.element_length,

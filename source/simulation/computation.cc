@@ -269,9 +269,11 @@ namespace Heddle
       const bool            to_zero =
         scene.is_fabric() && stage.is_loaded && scene.state().load_factor == 0.;
       const std::string where = place_in_words();
-      const std::string kink  = kink_in_words();
+      const std::string jam =
+        scene.contact() ? scene.contact()->jam_in_words() : "";
+      const std::string hint = jam.empty() ? kink_in_words() : jam;
       const std::string why =
-        result.obstacle + (kink.empty() ? "" : "; " + kink);
+        result.obstacle + (hint.empty() ? "" : "; " + hint);
       reject(stage);
       const bool was_last =
         limits.max_iterations > parameters.newton.max_iterations;

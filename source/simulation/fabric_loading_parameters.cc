@@ -44,7 +44,10 @@ namespace Heddle
                     "its fibers and, if it has one, the sides of its matrix. "
                     "Every load case begins in the initial configuration, "
                     "with the tension under which it was computed, unless "
-                    "'Restart/Stress free' is true. "
+                    "'Restart/Stress free' is true. What the case lets go of, "
+                    "as two sides in uniaxial tension, gives way before it is "
+                    "loaded, and the tension with it: forces at load factor 0 "
+                    "are what is left, and may push. "
                     "'none': supports and loads as listed, if any. No other "
                     "entry is active then [-].",
                     prm,

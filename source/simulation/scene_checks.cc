@@ -8,6 +8,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -113,6 +114,8 @@ namespace Heddle
     std::string
     Scene::overlap_at_start() const
     {
+      if (!crumbled_fiber().empty())
+        return "";
       constexpr double  much    = 0.5;
       const std::string deepest = deepest_overlap(much);
       return deepest.empty() ? ""
@@ -146,6 +149,57 @@ namespace Heddle
 
 
 
+    std::string
+    Scene::crumbled_fiber() const
+    {
+      constexpr double shortest = 0.05;
+      double           least    = shortest;
+      unsigned int     worst    = 0;
+      for (unsigned int f = 0; f < paths.size(); ++f)
+        {
+          const Textile::FiberPath &path = paths[f];
+          const double              part =
+            path.reference_length / (path.points.size() - 1) / path.radius;
+          if (part < least)
+            {
+              least = part;
+              worst = f;
+            }
+        }
+      if (least == shortest)
+        return "";
+      std::ostringstream text;
+      text << std::setprecision(2) << "nodes of fiber " << worst << " are "
+           << least << " of its radius apart: memory and time of contact grow "
+           << "with the square of how many lie within a radius; give longer "
+              "elements"
+           << (woven ? "" : ", and see whether Centerlines/Scale is right");
+      return text.str();
+    }
+
+
+
+    std::string
+    Scene::missed_points() const
+    {
+      constexpr double much  = 1.;
+      const auto       worst = std::max_element(
+        paths.begin(), paths.end(), [](const auto &left, const auto &right) {
+          return left.missed / left.radius < right.missed / right.radius;
+        });
+      const double miss = worst->missed / worst->radius;
+      if (miss < much)
+        return "";
+      std::ostringstream text;
+      text << std::setprecision(2) << "elements are too long for the fibers of "
+           << parameters.centerlines.file << ": points of fiber "
+           << worst - paths.begin() << " are up to " << miss
+           << " of its radii beside it; make Centerlines/Element length less";
+      return text.str();
+    }
+
+
+
     std::vector<std::string>
     Scene::notes() const
     {
@@ -154,6 +208,10 @@ namespace Heddle
         result = woven->notes();
       if (measured && !measured->short_fibers().empty())
         result.push_back(measured->short_fibers());
+      if (!crumbled_fiber().empty())
+        result.push_back(crumbled_fiber());
+      if (!missed_points().empty())
+        result.push_back(missed_points());
       return result;
     }
   } // namespace Simulation

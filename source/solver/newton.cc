@@ -80,7 +80,8 @@ namespace Heddle
       /**
        * Iterations of a search before the forces of contact turn in the
        * tangent, and the largest motion in the last one, in radii. Further from
-       * equilibrium what makes them slide makes them slide too far.
+       * equilibrium, by motion or by forces, what makes them slide makes them
+       * slide too far.
        */
       constexpr unsigned int most_unturned = 5;
       constexpr double       near_rest     = 0.01;
@@ -302,6 +303,7 @@ namespace Heddle
           // which they do not.
           turned = rough && in_place && softness == 0. && may_turn &&
                    iteration >= most_unturned && result.increment < near_rest &&
+                   residual.mean_ratio < before_equilibrium.mean_ratio &&
                    !(turned && residual.ratio > ratio_before);
           ratio_before = residual.ratio;
           if (turned)

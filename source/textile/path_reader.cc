@@ -4,8 +4,10 @@
 #include <heddle/textile/parametric_curve.h>
 #include <heddle/textile/path_reader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -15,6 +17,10 @@ namespace Heddle
   {
     namespace
     {
+      /** Points so near each other, by how far they are from the origin, differ
+       * in no digit but the last ones. */
+      constexpr double same = 1e-12;
+
       /** The points of one fiber, scaled, and where the file speaks of it. */
       struct RawFiber
       {
@@ -91,8 +97,10 @@ namespace Heddle
                 const PathReading &reading,
                 RawFiber          &fiber)
       {
-        const Tensor<1, 3> point(
-          {table.number("x"), table.number("y"), table.number("z")});
+        const Tensor<1, 3> point =
+          reading.scale *
+          Tensor<1, 3>(
+            {table.number("x"), table.number("y"), table.number("z")});
 
         if (fiber.points.empty())
           {
@@ -104,11 +112,11 @@ namespace Heddle
         check_same(table, fiber, "set", fiber.set);
         check_same(table, fiber, "yarn", fiber.yarn);
         if (!fiber.points.empty() &&
-            (reading.scale * point - fiber.points.back()).norm() == 0.)
+            (point - fiber.points.back()).norm() <= same * point.norm())
           table.fail("fiber '" + fiber.name +
                      "' has the same point twice in a row; remove one.");
 
-        fiber.points.push_back(reading.scale * point);
+        fiber.points.push_back(point);
         fiber.sum_of_radii += radius_of_line(table, reading);
       }
 
@@ -182,6 +190,64 @@ namespace Heddle
 
 
 
+      /** Distance of @p point from the straight line from @p a to @p b [mm]. */
+      double
+      distance_to_line(const Tensor<1, 3> &point,
+                       const Tensor<1, 3> &a,
+                       const Tensor<1, 3> &b)
+      {
+        const Tensor<1, 3> line = b - a;
+        const double       t =
+          std::clamp((point - a) * line / line.norm_square(), 0., 1.);
+        return (point - a - t * line).norm();
+      }
+
+
+
+      /**
+       * Largest distance of @p points from the curve through @p knots, which
+       * passes them in their order [mm].
+       */
+      double
+      largest_miss(const std::vector<Tensor<1, 3>> &points,
+                   const Polyline                  &knots,
+                   const Interpolation              interpolation)
+      {
+        constexpr unsigned int  n_parts = 8;
+        const InterpolatedCurve curve(knots, interpolation);
+        const unsigned int      n_lines = n_parts * (knots.size() - 1);
+        Polyline                lines;
+        for (unsigned int i = 0; i <= n_lines; ++i)
+          lines.push_back(curve(curve.end() * i / n_lines));
+
+        // The next point is nearest to what is not far beyond that of the last.
+        const unsigned int far =
+          std::max<std::size_t>(2 * n_parts, 4 * n_lines / points.size());
+        double       largest = 0.;
+        unsigned int nearest = 0;
+        for (const Tensor<1, 3> &point : points)
+          {
+            double             least = std::numeric_limits<double>::max();
+            const unsigned int begin = nearest;
+            for (unsigned int i = begin; i < n_lines; ++i)
+              {
+                const double distance =
+                  distance_to_line(point, lines[i], lines[i + 1]);
+                if (distance < least)
+                  {
+                    least   = distance;
+                    nearest = i;
+                  }
+                else if (i > nearest + far)
+                  break;
+              }
+            largest = std::max(largest, least);
+          }
+        return largest;
+      }
+
+
+
       FiberPath
       resample(const RawFiber    &fiber,
                const std::string &name,
@@ -212,7 +278,9 @@ namespace Heddle
                          reading.knots_per_element * n_elements + 1,
                          n_samples);
         FiberPath path;
-        path.points           = knots.points;
+        path.points = knots.points;
+        path.missed =
+          largest_miss(fiber.points, knots.points, reading.interpolation);
         path.reference_length = knots.length / (1. + reading.axial_strain);
         path.radius           = fiber.sum_of_radii / fiber.points.size();
         path.set              = fiber.set;

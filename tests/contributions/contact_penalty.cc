@@ -1,5 +1,6 @@
 // Penalties of contact: they are raised until fibers penetrate as little as
-// wanted, by as much as it takes, and kept while fibers move.
+// wanted, by as much as it takes but not without end, and kept while fibers
+// move.
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/contributions/nodal_springs.h>
 #include <heddle/solver/newton.h>
@@ -105,6 +106,27 @@ growth()
       deallog << ", after an accepted step over the ratio "
               << pair.raise(0.011) / (0.011 / wanted) << std::endl;
     }
+}
+
+
+
+/**
+ * Fibers that stay as deep in each other as they are get no stiffer without
+ * end, and are named.
+ */
+void
+limit()
+{
+  Pair         pair;
+  double       all    = 1.;
+  unsigned int rounds = 0;
+  for (double growth = 2.; growth > 1. && rounds < 100; ++rounds)
+    all *= growth = pair.raise(0.02);
+  deallog << "after " << rounds << " rounds " << all
+          << " times as stiff: " << pair.scene.contact->jam_in_words()
+          << std::endl;
+  pair.accept(0.9 * grown_threshold);
+  deallog << "less deep: " << pair.scene.contact->jam_in_words() << std::endl;
 }
 
 
@@ -332,6 +354,7 @@ main(int argc, char **argv)
 {
   const MPITest mpi(argc, argv);
   run_part("Growth", growth);
+  run_part("Limit", limit);
   run_part("Energy of growth", energy_of_growth);
   run_part("Kept while fibers move", motions);
   run_part("Threshold", thresholds);

@@ -78,10 +78,15 @@ namespace Heddle
 
       /**
        * Raise the penalties of the zones whose deepest penetration exceeds
-       * @p threshold times the radius, or nearly does.
+       * @p threshold times the radius, or nearly does, as far as that may be
+       * of use; return whether any was.
        */
-      void
+      bool
       adapt(const double threshold);
+
+      /** Whether its penalty is as large as any gets. */
+      bool
+      is_stiffest(const ContactCell &cell) const;
 
       const std::vector<Zone> &
       zones() const

@@ -116,6 +116,14 @@ namespace Heddle
       objection(const System::State &state) const override;
 
       /**
+       * Which fibers are deeper in each other than the threshold although no
+       * contact is stiffer than theirs, or nothing.
+       * @note Collective.
+       */
+      std::string
+      jam_in_words() const;
+
+      /**
        * The mean force of a contact now, at least a hundredth of the largest
        * one that there was in this stage: where fibers come to rest forces that
        * vanish are no measure.

@@ -144,6 +144,16 @@ namespace Heddle
       std::string
       missing_torsion() const;
 
+      /** Whose elements are so short that contact takes all memory, or nothing.
+       */
+      std::string
+      crumbled_fiber() const;
+
+      /** Whose elements are too long for the points that they were read from,
+       * or nothing. */
+      std::string
+      missed_points() const;
+
       /** What is to be said of a fabric as it is described. */
       std::vector<std::string>
       notes() const;

@@ -33,6 +33,12 @@ namespace Heddle
        */
       double reference_length = 0.;
 
+      /**
+       * How far the points that it was read from are from the curve through
+       * @p points, at most [mm].
+       */
+      double missed = 0.;
+
       /** Radius of the circular section [mm]. */
       double radius = 0.;
 
