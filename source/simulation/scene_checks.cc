@@ -206,12 +206,12 @@ namespace Heddle
       std::vector<std::string> result;
       if (woven)
         result = woven->notes();
-      if (measured && !measured->short_fibers().empty())
-        result.push_back(measured->short_fibers());
-      if (!crumbled_fiber().empty())
-        result.push_back(crumbled_fiber());
-      if (!missed_points().empty())
-        result.push_back(missed_points());
+      for (const std::string &note :
+           {measured ? measured->short_fibers() : std::string(),
+            crumbled_fiber(),
+            missed_points()})
+        if (!note.empty())
+          result.push_back(note);
       return result;
     }
   } // namespace Simulation

@@ -277,6 +277,13 @@ namespace Heddle
                          curve.end(),
                          reading.knots_per_element * n_elements + 1,
                          n_samples);
+        const Tensor<1, 3> chord = knots.points[1] - knots.points[0];
+        if (chord.norm() <= same * length)
+          throw InputError(name + ":" + std::to_string(fiber.first_line) +
+                           ": fiber '" + fiber.name +
+                           "' ends where it begins and would get one element, "
+                           "of no length; make the element length less.");
+
         FiberPath path;
         path.points = knots.points;
         path.missed =

@@ -169,6 +169,7 @@ no_files_of_fibers()
   refuse_file(head + "1,0,0,0\n1,1,0,0\n2,5,5,5\n");
   refuse_file(head + "1,0,0,0\n1,1,0,0\n# again\n1,1,0,0\n");
   refuse_file(head + "1,0,0,0\n1,0.1,0.7,2.3\n1,0.1,0.7,2.3\n", 0.1, 1., 1e-3);
+  refuse_file(head + "1,0,0,0\n1,1,0,0\n1,1,1,0\n1,0,0,0\n", 0.1, 100.);
   refuse_file("fiber,x,y,z,radius\n1,0,0,0,1\n1,1,0,0,-1\n", 0.);
   refuse_file("fiber,x,y,z,set\n1,0,0,0,a\n1,1,0,0,b\n");
   refuse_file("fiber,x,y,z,yarn\n1,0,0,0,a\n1,1,0,0,\n");
