@@ -44,12 +44,7 @@ namespace Heddle
       , timer(timer)
       , stop(stop)
       , limits(parameters.newton)
-      , newton(limits,
-               parameters.linear_solver,
-               scene.space().communicator(),
-               log,
-               timer,
-               stop)
+      , newton(limits, parameters.linear_solver, log, timer, stop)
     {
       for (const Stage &stage : scene.stages())
         stepping.push_back(std::make_unique<Solver::LoadStepping>(stage.plan));

@@ -130,12 +130,7 @@ namespace Heddle
       Solver::NewtonLimits limits;
       limits.max_iterations = limits.max_at_zero = parameters.iterations;
       limits.damping                             = parameters.damping;
-      Solver::Newton newton(limits,
-                            linear_parameters,
-                            state.space.communicator(),
-                            log,
-                            timer,
-                            stop);
+      Solver::Newton newton(limits, linear_parameters, log, timer, stop);
 
       // Steps beyond the last hold what they have until the fibers followed.
       const double   radius  = smallest_radius(state.space);

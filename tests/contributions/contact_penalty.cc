@@ -301,7 +301,7 @@ press(const double threshold, const std::vector<Heddle::Solver::Aim> &aims)
   Heddle::SectionTimer                   timer;
   Heddle::StopRequest                    stop(MPI_COMM_WORLD);
   Heddle::Solver::Newton                 newton(
-    newton_parameters, linear_parameters, MPI_COMM_WORLD, log, timer, stop);
+    newton_parameters, linear_parameters, log, timer, stop);
   elasticity->begin_step(scene.state);
   deallog << "threshold " << threshold << ":";
   for (const Heddle::Solver::Aim aim : aims)

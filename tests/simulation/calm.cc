@@ -63,12 +63,8 @@ come_near()
   Log                log(MPI_COMM_WORLD, screen);
   SectionTimer       timer;
   StopRequest        stop(MPI_COMM_WORLD);
-  Solver::Newton     newton(parameters.newton,
-                        parameters.linear_solver,
-                        MPI_COMM_WORLD,
-                        log,
-                        timer,
-                        stop);
+  Solver::Newton     newton(
+    parameters.newton, parameters.linear_solver, log, timer, stop);
   stage.begin();
   stage.set_up(1.);
   for (const auto &contribution : stage.contributions)

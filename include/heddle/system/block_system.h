@@ -74,6 +74,13 @@ namespace Heddle
       void
       set_pattern(const BlockPattern &pattern);
 
+      /** Whether there is a pattern, made for the ghosts that the state has. */
+      bool
+      has_pattern() const
+      {
+        return matrix != nullptr && ghost_version == state.ghost_version();
+      }
+
       /** Prescribe these motions, and no others. */
       void
       set_constraints(const std::vector<Constraint> &constraints)
@@ -299,6 +306,7 @@ namespace Heddle
 
       Constraints           prescribed;
       std::vector<PetscInt> global_blocks;
+      unsigned int          ghost_version = 0; /**< of the pattern */
       std::vector<double>   work;
       std::vector<PetscInt> row_columns;
 

@@ -1,0 +1,205 @@
+#ifndef heddle_solver_newton_search_h
+#define heddle_solver_newton_search_h
+
+#include <heddle/base/log.h>
+#include <heddle/base/signals.h>
+#include <heddle/base/timer.h>
+#include <heddle/solver/equations.h>
+#include <heddle/solver/fiber_damping.h>
+#include <heddle/solver/linear_solver.h>
+#include <heddle/solver/newton_parameters.h>
+#include <heddle/solver/secants.h>
+
+#include <string>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Solver
+  {
+    using namespace dealii;
+
+    /** What Newton's method did. */
+    struct NewtonResult
+    {
+      bool         converged         = false;
+      unsigned int iterations        = 0;
+      unsigned int factorizations    = 0;
+      unsigned int linear_iterations = 0;
+      double       residual_ratio    = 0.;
+      double       increment         = 0.; /**< largest motion, in radii [-] */
+      std::string  obstacle;               /**< why not converged, in words */
+      bool         used_up = false; /**< all iterations that are allowed */
+
+      /** In equilibrium, but the tangent is not positive definite: a small
+       * disturbance leads elsewhere. Where nothing touches. */
+      bool unstable = false;
+    };
+
+    /**
+     * How far to go: to equilibrium, or only until forces balance on average
+     * and fibers move by little, after which friction can take over; or from
+     * there to equilibrium, where rough terms are not softened again.
+     */
+    enum class Aim
+    {
+      equilibrium,
+      calm,
+      equilibrium_after_calm
+    };
+
+    /** What one search of an equilibrium after the other works with. */
+    struct NewtonTools
+    {
+      NewtonTools(const System::State          &state,
+                  const LinearSolverParameters &linear_parameters,
+                  const double                  first_damping);
+
+      System::BlockSystem system;
+      LinearSolver        linear_solver;
+      FiberDamping        damping;
+      Secants             secants;
+    };
+
+    /**
+     * One search of an equilibrium by Newton's method, see Newton: its
+     * iterations, and what one of them has to know of those before.
+     *
+     * All members are collective.
+     */
+    class NewtonSearch
+    {
+    public:
+      NewtonSearch(Equations          &equations,
+                   NewtonTools        &tools,
+                   const NewtonLimits &limits,
+                   const Aim           aim,
+                   Log                &log,
+                   SectionTimer       &timer,
+                   StopRequest        &stop);
+
+      /** Begin by a @p guess of the motion of owned blocks, if there is one. */
+      NewtonResult
+      run(const System::Increment &guess);
+
+    private:
+      /** Whether the search goes on, and from where. */
+      enum class Verdict
+      {
+        go_on,
+        begin_again,
+        ended
+      };
+
+      /** Prepare, assemble and judge the current configuration. */
+      void
+      measure();
+
+      /** Terms have changed: prepare and assemble them anew. */
+      void
+      renew();
+
+      /** Whether the search is at its end, or has to begin afresh. */
+      Verdict
+      judge();
+
+      /** Likewise, where forces do not balance. */
+      Verdict
+      judge_progress(const bool balanced, const bool still);
+
+      /** From the start, held back as where fibers touch, for @p reason. */
+      void
+      begin_again(const std::string &reason);
+
+      bool
+      is_balanced() const;
+
+      /** Whether all prescribed motion is done. */
+      bool
+      is_in_place() const
+      {
+        return residual.pending <= Equations::reached * equations.length_scale;
+      }
+
+      /** Whether fibers are damped, and steps cut. */
+      bool
+      is_held() const
+      {
+        return rough || guarded;
+      }
+
+      /** Whether the tangent of what is in balance has negative eigenvalues.
+       * Leaves the residual assembled. */
+      bool
+      is_unstable();
+
+      /** Where the iteration is calm rough terms harden or adapt. */
+      void
+      harden_or_adapt();
+
+      /** Find the increment, by the best tangent that there is. */
+      void
+      find_increment();
+
+      /** Solve the system as it is assembled for the increment. */
+      void
+      solve_linear_system();
+
+      /** Go along the increment; whether the search goes on. */
+      bool
+      take_step();
+
+      /**
+       * The part of the increment that may be taken, and is of use, where
+       * fibers are held back: no more than @p longest if it is searched.
+       */
+      double
+      step_length(const double longest, const bool search);
+
+      /** Which fiber keeps the forces from being in balance, and where. */
+      std::string
+      describe_imbalance() const;
+
+      /** Of the surface of a fiber by the increment, in radii. */
+      double
+      largest_motion() const;
+
+      void
+      report() const;
+
+      Equations          &equations;
+      NewtonTools        &tools;
+      const NewtonLimits &limits;
+      const Aim           aim;
+      Log                &log;
+      SectionTimer       &timer;
+      StopRequest        &stop;
+
+      NewtonResult      result;
+      Residual          residual;
+      LinearResult      linear;
+      System::Increment increment;
+      unsigned int      iteration = 0;
+
+      std::vector<Tensor<1, 3>> start;           /**< after the guess */
+      bool                      guessed = false; /**< it was followed */
+      unsigned int              limit; /**< the last iteration allowed */
+
+      bool   rough        = false; /**< any term, in this iteration */
+      bool   calm         = false; /**< little moves, in this iteration */
+      bool   guarded      = false; /**< held back though nothing touches */
+      bool   softened     = false; /**< rough terms have been soft */
+      bool   may_turn     = true;  /**< forces of contact, in the tangent */
+      bool   turned       = false; /**< they do, in this iteration */
+      double ratio_before = 0.;    /**< of the residual, an iteration ago */
+      double wanted       = 0.;    /**< by the last system, in radii */
+
+      unsigned int adapted_at = 0; /**< the last iteration that terms did */
+      unsigned int n_pending  = 0; /**< with little left of prescribed motion */
+      unsigned int n_objections = 0; /**< at rest, and a term objects */
+      unsigned int n_whole      = 0; /**< steps that were not shortened */
+    };
+  } // namespace Solver
+} // namespace Heddle
+
+#endif
