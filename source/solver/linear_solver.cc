@@ -187,6 +187,7 @@ namespace Heddle
     LinearSolver::begin_iterating()
     {
       petsc(KSPCreate(system.state.space.communicator(), &iterating));
+      petsc(KSPSetOptionsPrefix(iterating, "cg_"));
       PC pc;
       petsc(KSPGetPC(iterating, &pc));
       petsc(KSPSetType(iterating, KSPCG));
@@ -203,17 +204,18 @@ namespace Heddle
         iterating, &tolerance, nullptr, nullptr, &max_iterations));
 
       petsc(KSPCreate(system.state.space.communicator(), &improving));
+      petsc(KSPSetOptionsPrefix(improving, "gmres_"));
       petsc(KSPGetPC(improving, &pc));
       petsc(KSPSetType(improving, KSPGMRES));
       petsc(KSPGMRESSetRestart(improving, n_kept));
       petsc(KSPSetInitialGuessNonzero(improving, PETSC_TRUE));
       petsc(KSPConvergedDefaultSetUIRNorm(improving));
-      petsc(KSPSetTolerances(improving,
-                             tolerance,
-                             PETSC_DEFAULT,
-                             PETSC_DEFAULT,
-                             parameters.max_iterations));
+      petsc(KSPSetTolerances(
+        improving, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, max_iterations));
       preconditioner->attach_to(pc);
+      petsc(KSPSetFromOptions(improving));
+      petsc(KSPGetTolerances(
+        improving, nullptr, nullptr, nullptr, &max_improving_iterations));
 
       // It goes by motions, which have to be in one unit.
       Vec levers;
@@ -287,7 +289,7 @@ namespace Heddle
       petsc(KSPSetOperators(improving, whole.matrix(), system.tangent()));
       return run(improving,
                  stricter * tolerance / std::max(good_enough, left),
-                 parameters.max_iterations,
+                 max_improving_iterations,
                  result);
     }
 
@@ -307,7 +309,8 @@ namespace Heddle
       petsc(KSPGetConvergedReason(solver, &reason));
       petsc(KSPGetIterationNumber(solver, &iterations));
       result.iterations += iterations;
-      result.indefinite = reason == KSP_DIVERGED_INDEFINITE_MAT;
+      result.indefinite =
+        result.indefinite || reason == KSP_DIVERGED_INDEFINITE_MAT;
       return reason > 0;
     }
 
@@ -364,13 +367,14 @@ namespace Heddle
       if (!factorizing)
         {
           petsc(KSPCreate(system.state.space.communicator(), &factorizing));
+          petsc(KSPSetOptionsPrefix(factorizing, "direct_"));
           petsc(KSPGetPC(factorizing, &pc));
           petsc(PCSetType(pc, PCCHOLESKY));
           petsc(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
 
           // Pivoting needs more room than the analysis foresees, on many ranks
           // above all: leave 200 percent.
-          set_default("-mat_mumps_icntl_14", "200");
+          set_default("-direct_mat_mumps_icntl_14", "200");
           petsc(KSPSetFromOptions(factorizing));
         }
       Assert(!system.has_couplings_apart(),

@@ -144,7 +144,8 @@ namespace Heddle
       KSP                           factorizing = nullptr;
       KSP                           last        = nullptr;
       double                        tolerance   = 0.; /**< usual [-] */
-      PetscInt max_iterations = 0; /**< in force, as the tolerance is */
+      /** In force, as the tolerance is: of conjugate gradients and of GMRES. */
+      PetscInt max_iterations = 0, max_improving_iterations = 0;
       std::unique_ptr<BlockPreconditioner> preconditioner;
 
       /** With the usual shift of unstable fibers a system was not solved. */
