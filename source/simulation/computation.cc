@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace Heddle
@@ -27,6 +28,23 @@ namespace Heddle
         "support holds: hold these, across too, or load each of their fibers "
         "by its tension, Initial configuration/Axial tension times its E A, "
         "or set Restart/Stress free";
+
+      /**
+       * What forces that are the last digits of those by which fibers resist
+       * can do as they are turned by their length [N mm]: solved systems have
+       * some more digits less.
+       */
+      double
+      round_off_work(const System::FiberSpace &space)
+      {
+        constexpr double last_digits =
+          256. * std::numeric_limits<double>::epsilon();
+        double largest = 0.;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          largest = std::max(
+            largest, space.fiber(f).section.axial * space.fiber(f).length);
+        return last_digits * largest;
+      }
     } // namespace
 
 
@@ -245,7 +263,8 @@ namespace Heddle
       if (!lost.empty())
         log << "Note           " << lost
             << ": yarns have slipped off the ends of others" << std::endl;
-      const std::string imbalance = recorder.energy_balance().in_words();
+      const std::string imbalance =
+        recorder.energy_balance().in_words(round_off_work(scene.space()));
       if (!imbalance.empty())
         log << "Note           of stage " << stage.name << ", " << imbalance
             << std::endl;

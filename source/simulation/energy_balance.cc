@@ -77,9 +77,10 @@ namespace Heddle
 
 
     std::string
-    EnergyBalance::in_words() const
+    EnergyBalance::in_words(const double round_off) const
     {
-      if (std::abs(sum) <= large * std::max(path, little * std::abs(energy)))
+      if (std::abs(sum) <= round_off ||
+          std::abs(sum) <= large * std::max(path, little * std::abs(energy)))
         return "";
       std::ostringstream text;
       text << std::setprecision(2) << std::abs(sum) << " N mm";

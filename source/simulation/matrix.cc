@@ -1,11 +1,11 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/post/centerline.h>
+#include <heddle/simulation/coupling_points.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/textile/fiber_volume.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/numerics/rtree.h>
 
@@ -265,65 +265,17 @@ namespace Heddle
 
 
 
-    void
-    Matrix::add_point(const System::State         &state,
-                      const unsigned int           fiber,
-                      const System::MaterialPoint &particle,
-                      const double                 length,
-                      Points                      &points) const
-    {
-      const Textile::PlaceInCell found =
-        mesh->locate(particle.position(state.fiber(fiber)));
-      if (found.cell == Textile::no_cell)
-        return;
-      points.push_back({fiber, particle, found.cell, {}, length});
-      const FiniteElement<3> &shapes = matrix_space->shape_functions();
-      for (unsigned int a = 0; a < shapes.n_dofs_per_cell(); ++a)
-        points.back().shapes.push_back(shapes.shape_value(a, found.unit));
-    }
-
-
-
     Matrix::Points
     Matrix::embed(const System::State &state) const
     {
-      const System::FiberSpace &space = state.space;
-      const auto                owned = space.owned_fibers();
-      Points                    points;
+      CouplingPoints places(state, *mesh, matrix_space->shape_functions());
+      const auto     owned = state.space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
-        {
-          const double      *s = space.node_positions(f);
-          const unsigned int n = space.fiber(f).n_nodes;
-          if (parameters.points_per_element == 0)
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                const System::MaterialPoint node = {
-                  {{i * space.n_blocks_per_node(), 0, 0, 0}},
-                  {{1., 0., 0., 0.}}};
-                add_point(state,
-                          f,
-                          node,
-                          0.5 *
-                            (s[std::min(i + 1, n - 1)] - s[i > 0 ? i - 1 : 0]),
-                          points);
-              }
-          else
-            {
-              const QGauss<1> gauss(parameters.points_per_element);
-              for (unsigned int e = 0; e < space.fiber(f).n_elements; ++e)
-                {
-                  const double h     = space.element_length(f, e),
-                               begin = s[e * (space.element().n_nodes() - 1)];
-                  for (unsigned int q = 0; q < gauss.size(); ++q)
-                    add_point(state,
-                              f,
-                              space.locate(f, begin + h * gauss.point(q)[0]),
-                              h * gauss.weight(q),
-                              points);
-                }
-            }
-        }
-      return points;
+        if (parameters.points_per_element == 0)
+          places.add_nodes(f);
+        else
+          places.add_gauss_points(f, parameters.points_per_element);
+      return places.points();
     }
 
 

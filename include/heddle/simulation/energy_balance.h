@@ -41,9 +41,13 @@ namespace Heddle
         return sum;
       }
 
-      /** A sentence, if that is a large part of the work; empty otherwise. */
+      /**
+       * A sentence, if that is a large part of the work, and more than the
+       * work @p round_off of forces that are last digits [N mm]; empty
+       * otherwise.
+       */
       std::string
-      in_words() const;
+      in_words(const double round_off) const;
 
       void
       save(ArchiveWriter &archive) const;

@@ -114,13 +114,6 @@ namespace Heddle
       Points
       embed(const System::State &state) const;
 
-      void
-      add_point(const System::State         &state,
-                const unsigned int           fiber,
-                const System::MaterialPoint &particle,
-                const double                 length,
-                Points                      &points) const;
-
       /** Own points, and those of others in cells with own nodes. */
       Points
       exchange(const Points &own) const;
