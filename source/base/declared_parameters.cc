@@ -2,14 +2,12 @@
 #include <heddle/base/pattern_in_words.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/utilities.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <functional>
-#include <limits>
 #include <sstream>
 
 namespace Heddle

@@ -3,6 +3,8 @@
 #include <heddle/beam/element.h>
 #include <heddle/beam/hermite_element.h>
 
+#include <deal.II/base/numbers.h>
+
 #include <cmath>
 #include <sstream>
 
@@ -42,7 +44,7 @@ namespace Heddle
             "Poisson's ratio of a fiber must be from 0 to below 0.5",
             poisson_ratio);
 
-      const double area    = M_PI * radius * radius;
+      const double area    = numbers::PI * radius * radius;
       const double inertia = .25 * area * radius * radius;
 
       // Contact takes sections for circles: they are to remain some. Were they

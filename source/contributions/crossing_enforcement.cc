@@ -9,6 +9,7 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 namespace Heddle
 {
@@ -38,11 +39,23 @@ namespace Heddle
       for (const OrderedYarns &yarns : crossings)
         enforced_yarns.emplace_back(yarns.upper, yarns.lower);
       std::sort(enforced_yarns.begin(), enforced_yarns.end());
+      enforced_yarns.erase(
+        std::unique(enforced_yarns.begin(), enforced_yarns.end()),
+        enforced_yarns.end());
 
-      for (unsigned int i = 0; i < space.n_fibers(); ++i)
-        for (unsigned int j = 0; j < space.n_fibers(); ++j)
-          if ((space.owns(i) || space.owns(j)) && puts_above(i, j))
-            pairs.push_back({i, j, {}, 1.});
+      std::vector<std::vector<unsigned int>> fibers(space.n_yarns());
+      for (unsigned int f = 0; f < space.n_fibers(); ++f)
+        if (space.fiber(f).yarn_id < fibers.size())
+          fibers[space.fiber(f).yarn_id].push_back(f);
+      for (const auto &yarns : enforced_yarns)
+        for (const unsigned int i : fibers[yarns.first])
+          for (const unsigned int j : fibers[yarns.second])
+            if (space.owns(i) || space.owns(j))
+              pairs.push_back({i, j, {}, 1.});
+      // Forces do not depend on who sums them.
+      std::sort(pairs.begin(), pairs.end(), [](const Pair &a, const Pair &b) {
+        return std::tie(a.upper, a.lower) < std::tie(b.upper, b.lower);
+      });
     }
 
 

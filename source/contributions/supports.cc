@@ -6,7 +6,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/physics/transformations.h>
 
-#include <cmath>
 
 namespace Heddle
 {

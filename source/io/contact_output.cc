@@ -14,37 +14,30 @@ namespace Heddle
     {
       namespace ContactOutput
       {
-        Tensor<1, 3>
-        position(const System::FiberSpace &space,
+        struct Particle
+        {
+          Tensor<1, 3> position, direction; /**< [mm], of the centerline [-] */
+        };
+
+
+
+        Particle
+        particle(const System::FiberSpace &space,
                  const System::State      &state,
                  const unsigned int        f,
                  const double              s)
         {
-          const auto   point = space.locate(f, s);
-          Tensor<1, 3> x;
+          std::array<double, 4> slopes;
+          const auto            point = space.locate(f, s, slopes);
+          Particle              result;
           for (unsigned int i = 0; i < point.blocks.size(); ++i)
-            x += point.values[i] * state.block(f, point.blocks[i]);
-          return x;
-        }
-
-
-
-        /**
-         * Direction of the centerline from two close particles: good to the
-         * millionth, and a picture asks for no more.
-         */
-        Tensor<1, 3>
-        direction(const System::FiberSpace &space,
-                  const System::State      &state,
-                  const unsigned int        f,
-                  const double              s)
-        {
-          const auto  &fiber = space.fiber(f);
-          const double step  = 1e-2 * fiber.radius;
-          const auto   chord =
-            position(space, state, f, std::min(s + step, fiber.length)) -
-            position(space, state, f, std::max(s - step, 0.));
-          return chord / chord.norm();
+            {
+              const Tensor<1, 3> &block = state.block(f, point.blocks[i]);
+              result.position += point.values[i] * block;
+              result.direction += slopes[i] * block;
+            }
+          result.direction /= result.direction.norm();
+          return result;
         }
 
 
@@ -108,16 +101,15 @@ namespace Heddle
       const auto  &a              = space.fiber(element.fiber_a);
       const auto  &b              = space.fiber(element.fiber_b);
       const double smaller_radius = std::min(a.radius, b.radius);
-      const double cosine         = std::min(
-        1.,
-        std::abs(
-          helpers::direction(space, state, element.fiber_a, element.s_a) *
-          helpers::direction(space, state, element.fiber_b, element.s_b)));
+      const auto   at_a =
+        helpers::particle(space, state, element.fiber_a, element.s_a);
+      const auto at_b =
+        helpers::particle(space, state, element.fiber_b, element.s_b);
+      const double cosine =
+        std::min(1., std::abs(at_a.direction * at_b.direction));
 
       PatchFile<0>::Patch patch;
-      patch.vertices[0] = Point<3>(
-        0.5 * (helpers::position(space, state, element.fiber_a, element.s_a) +
-               helpers::position(space, state, element.fiber_b, element.s_b)));
+      patch.vertices[0] = Point<3>(0.5 * (at_a.position + at_b.position));
 
       const std::array<double, 13> values = {
         {element.normal[0],

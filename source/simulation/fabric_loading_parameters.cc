@@ -1,10 +1,10 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/number_text.h>
 #include <heddle/simulation/fabric_loading_parameters.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <sstream>
 
 namespace Heddle
 {
@@ -13,16 +13,6 @@ namespace Heddle
     namespace
     {
       const std::string fabric_loading = "Fabric loading: ";
-
-      std::string
-      shortly(const double value)
-      {
-        std::ostringstream text;
-        text << value;
-        return text.str();
-      }
-
-
 
       /** The load factor that was meant, if it is a round one. */
       double
@@ -115,7 +105,7 @@ namespace Heddle
       const Expression formula(ramp, fabric_loading + "\"Ramp\"");
       require(std::abs(formula.value(Tensor<1, 3>(), 0.)) < 1e-12,
               fabric_loading + "\"Ramp\" is \"" + ramp + "\", which is " +
-                shortly(formula.value(Tensor<1, 3>(), 0.)) +
+                number_text(formula.value(Tensor<1, 3>(), 0.)) +
                 " at t = 0; let it begin at 0.");
       for (const double t : {0.3, 0.7, 1.})
         require(formula.value(Tensor<1, 3>(), t) ==
@@ -124,7 +114,7 @@ namespace Heddle
                   "\", which is not the same everywhere; let it depend on t "
                   "alone.");
       require(is_shear() || (strain > -1. && strain < 10.),
-              fabric_loading + "\"Strain\" is " + shortly(strain) +
+              fabric_loading + "\"Strain\" is " + number_text(strain) +
                 "; it must lie between -1 and 10, and 0.02 are 2 %.");
       const std::string entry = is_shear() ? "Shear angles" : "Strain ratios";
       const auto        all   = numbers();
@@ -132,17 +122,18 @@ namespace Heddle
         {
           require(is_shear() || *number > 0.,
                   fabric_loading + "\"Strain ratios\" names " +
-                    shortly(*number) +
+                    number_text(*number) +
                     "; the strain of the warp over that of the weft must be "
                     "positive.");
           require(
             is_shear() || (strain / *number > -1. && strain / *number < 10.),
-            fabric_loading + "\"Strain ratios\" names " + shortly(*number) +
+            fabric_loading + "\"Strain ratios\" names " + number_text(*number) +
               ", which makes the strain of the weft " +
-              shortly(strain / *number) + "; it must lie between -1 and 10.");
+              number_text(strain / *number, 6) +
+              "; it must lie between -1 and 10.");
           require(!is_shear() || (*number != 0. && std::abs(*number) < 90.),
                   fabric_loading + "\"Shear angles\" names " +
-                    shortly(*number) +
+                    number_text(*number) +
                     "; a shear angle is not 0 and lies between -90 and 90 "
                     "degrees.");
           require(std::none_of(all.begin(),
@@ -151,7 +142,7 @@ namespace Heddle
                                  return name(other) == name(*number);
                                }),
                   fabric_loading + '"' + entry + "\" names " +
-                    shortly(*number) +
+                    number_text(*number) +
                     " twice; each load case is computed once.");
         }
     }
@@ -245,8 +236,8 @@ namespace Heddle
     FabricLoadingParameters::name(const double number) const
     {
       if (kind == "biaxial tension")
-        return "biaxial " + shortly(number);
-      return is_shear() ? kind + " " + shortly(number)
+        return "biaxial " + number_text(number, 6);
+      return is_shear() ? kind + " " + number_text(number, 6)
                         : "uniaxial " + direction;
     }
 

@@ -3,8 +3,6 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <cmath>
-
 namespace Heddle
 {
   namespace Simulation

@@ -13,17 +13,6 @@ namespace Heddle
 
 
 
-      double
-      smallest_radius(const System::FiberSpace &space)
-      {
-        double radius = space.fiber(0).radius;
-        for (unsigned int f = 0; f < space.n_fibers(); ++f)
-          radius = std::min(radius, space.fiber(f).radius);
-        return radius;
-      }
-
-
-
       /**
        * Copies of all fibers: those that cross may have to pass each other by
        * more than fibers that touch do.
@@ -133,7 +122,7 @@ namespace Heddle
       Solver::Newton newton(limits, linear_parameters, log, timer, stop);
 
       // Steps beyond the last hold what they have until the fibers followed.
-      const double   radius  = smallest_radius(state.space);
+      const double   radius  = state.space.smallest_radius();
       const double   first   = enforcement.largest_overlap(state);
       const double   last    = -parameters.clearance * radius;
       double         overlap = first;

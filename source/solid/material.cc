@@ -1,28 +1,15 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/number_text.h>
 #include <heddle/solid/linear_material.h>
 #include <heddle/solid/neo_hookean.h>
 #include <heddle/solid/st_venant_kirchhoff.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace Heddle
 {
   namespace Solid
   {
-    namespace
-    {
-      std::string
-      material_number(const double x)
-      {
-        std::ostringstream text;
-        text << x;
-        return text.str();
-      }
-    } // namespace
-
-
-
     bool
     Material::is_admissible(const Tensor<2, 3> &F) const
     {
@@ -70,11 +57,11 @@ namespace Heddle
     {
       require(youngs_modulus > 0.,
               "Young's modulus of the matrix must be positive, but it is " +
-                material_number(youngs_modulus) + ".");
+                number_text(youngs_modulus) + ".");
       require(poisson_ratio > -1. && poisson_ratio < .5,
               "Poisson's ratio of the matrix must be above -1 and below 0.5, "
               "but it is " +
-                material_number(poisson_ratio) + ".");
+                number_text(poisson_ratio) + ".");
       const double shear_modulus = youngs_modulus / (2. * (1. + poisson_ratio));
       const double bulk_modulus =
         youngs_modulus / (3. * (1. - 2. * poisson_ratio));

@@ -21,17 +21,6 @@ namespace Heddle
 
 
 
-      double
-      smallest_radius(const System::FiberSpace &space)
-      {
-        double smallest = space.fiber(0).radius;
-        for (unsigned int f = 0; f < space.n_fibers(); ++f)
-          smallest = std::min(smallest, space.fiber(f).radius);
-        return smallest;
-      }
-
-
-
       /** The largest distance of a node from the origin [mm]. */
       double
       size_of_scene(const System::State &state)
@@ -76,7 +65,7 @@ namespace Heddle
       , contributions(contributions)
       , system(system)
       , communicator(state.space.communicator())
-      , length_scale(smallest_radius(state.space))
+      , length_scale(state.space.smallest_radius())
       , timer(timer)
       , negligible(negligible_forces(state, contributions))
     {

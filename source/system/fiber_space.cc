@@ -84,6 +84,7 @@ namespace Heddle
           fiber.section    = description.section;
           if (fiber.yarn_id != numbers::invalid_unsigned_int)
             yarns = std::max(yarns, fiber.yarn_id + 1);
+          least_radius = std::min(least_radius, fiber.radius);
 
           arc_lengths.push_back(0.);
           double begin = 0.;

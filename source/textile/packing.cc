@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/number_text.h>
 #include <heddle/textile/packing.h>
 
 #include <deal.II/base/numbers.h>
@@ -156,13 +157,13 @@ namespace Heddle
       if (packing.n_fibers() == 0)
         refuse("a yarn has no fibers; give at least one bundle of one fiber.");
       if (!(packing.radius > 0.) || !std::isfinite(packing.radius))
-        refuse("the fiber radius is " + std::to_string(packing.radius) +
+        refuse("the fiber radius is " + number_text(packing.radius) +
                " mm; it must be positive.");
       if (!(packing.spacing >= 2.) || !std::isfinite(packing.spacing))
-        refuse("the spacing is " + std::to_string(packing.spacing) +
+        refuse("the spacing is " + number_text(packing.spacing) +
                " fiber radii, so that neighbours overlap; give at least 2.");
       if (!(packing.perturbation >= 0. && packing.perturbation <= 1.))
-        refuse("the perturbation is " + std::to_string(packing.perturbation) +
+        refuse("the perturbation is " + number_text(packing.perturbation) +
                "; it must lie between 0 and 1, beyond which neighbours may "
                "overlap.");
     }

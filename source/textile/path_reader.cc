@@ -1,5 +1,6 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/number_text.h>
 #include <heddle/textile/csv_table.h>
 #include <heddle/textile/parametric_curve.h>
 #include <heddle/textile/path_reader.h>
@@ -9,7 +10,6 @@
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <sstream>
 
 namespace Heddle
 {
@@ -39,7 +39,7 @@ namespace Heddle
       {
         const auto refuse = [](const std::string &what, const double value) {
           throw InputError("Fibers from a file: the " + what + " is " +
-                           std::to_string(value) + " mm; it must be positive.");
+                           number_text(value) + " mm; it must be positive.");
         };
         // A number compares false with everything if it is not one.
         if (!(reading.element_length > 0.))
@@ -267,7 +267,7 @@ namespace Heddle
         if (n_elements > 1e6)
           throw InputError(name + ":" + std::to_string(fiber.first_line) +
                            ": fiber '" + fiber.name + "' is " +
-                           std::to_string(length) +
+                           number_text(length, 4) +
                            " mm long and would get more than a million "
                            "elements; enlarge the element length.");
 

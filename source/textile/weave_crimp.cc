@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/number_text.h>
 #include <heddle/textile/clearance.h>
 #include <heddle/textile/weave.h>
 
@@ -36,10 +37,10 @@ namespace Heddle
           !raise_until(&Weave::is_in_order, /*normal=*/false, 1., 6.))
         throw InputError(
           "Weave: no crimp gets the yarns past each other at spacings of " +
-          std::to_string(spacings[warp]) + " mm (warp) and " +
-          std::to_string(spacings[weft]) + " mm (weft) for yarns " +
-          std::to_string(sections[warp].width) + " mm and " +
-          std::to_string(sections[weft].width) +
+          number_text(spacings[warp], 4) + " mm (warp) and " +
+          number_text(spacings[weft], 4) + " mm (weft) for yarns " +
+          number_text(sections[warp].width, 4) + " mm and " +
+          number_text(sections[weft].width, 4) +
           " mm wide; enlarge the spacing, pack the yarns hexagonally, or start "
           "from interpenetrating yarns.");
     }

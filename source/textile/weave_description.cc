@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/number_text.h>
 #include <heddle/textile/weave_description.h>
 
 #include <deal.II/base/numbers.h>
@@ -19,7 +20,7 @@ namespace Heddle
           throw InputError(where + ": there are none; give at least one yarn.");
         if (!(yarns.spacing >= 0.) || !std::isfinite(yarns.spacing))
           throw InputError(where + ": the yarn spacing is " +
-                           std::to_string(yarns.spacing) +
+                           number_text(yarns.spacing) +
                            " mm; it must be positive, or 0 to be chosen.");
         check_packing(yarns.packing, where);
 
@@ -29,12 +30,11 @@ namespace Heddle
           2. * numbers::PI * yarns.twist * pack_yarn(yarns.packing, 0).radius;
         const double needed = 2. * std::sqrt(1. + tangent * tangent);
         if (!(yarns.packing.spacing >= needed))
-          throw InputError(where + ": a twist of " +
-                           std::to_string(yarns.twist) +
+          throw InputError(where + ": a twist of " + number_text(yarns.twist) +
                            " turns per mm presses the fibers into each other; "
                            "lower it, or raise the packing spacing from " +
-                           std::to_string(yarns.packing.spacing) +
-                           " to at least " + std::to_string(needed) + ".");
+                           number_text(yarns.packing.spacing) +
+                           " to at least " + number_text(needed) + ".");
       }
     } // namespace
 
@@ -61,7 +61,7 @@ namespace Heddle
       const auto refuse = [](const std::string &what,
                              const double       value,
                              const std::string &allowed) {
-        throw InputError("Weave: the " + what + " is " + std::to_string(value) +
+        throw InputError("Weave: the " + what + " is " + number_text(value) +
                          "; it must " + allowed + ".");
       };
       // A number compares false with everything if it is not one.

@@ -5,6 +5,7 @@
 #include <heddle/solid/cell_kernel.h>
 #include <heddle/system/contribution.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 

@@ -7,9 +7,6 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
-#include <functional>
-#include <memory>
-
 namespace Heddle
 {
   namespace Simulation

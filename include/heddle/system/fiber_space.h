@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -148,6 +149,13 @@ namespace Heddle
         return yarns;
       }
 
+      /** Of all fibers [mm]. */
+      double
+      smallest_radius() const
+      {
+        return least_radius;
+      }
+
       const Fiber &
       fiber(const unsigned int f) const
       {
@@ -232,11 +240,11 @@ namespace Heddle
         return e * (beam_element->n_nodes() - 1) * blocks_per_node;
       }
 
-      /** Reference arc lengths of the nodes of fiber @p f, from 0 [mm]. */
       /** The words by which fibers are chosen, made when they are asked for. */
       const FiberNames &
       names() const;
 
+      /** Reference arc lengths of the nodes of fiber @p f, from 0 [mm]. */
       const double *
       node_positions(const unsigned int f) const
       {
@@ -369,8 +377,9 @@ namespace Heddle
       unsigned int                         this_rank;
       unsigned int                         total_nodes;
       unsigned int                         yarns = 0;
-      std::vector<Fiber>                   fibers;
-      std::vector<double>                  arc_lengths;
+      double              least_radius = std::numeric_limits<double>::max();
+      std::vector<Fiber>  fibers;
+      std::vector<double> arc_lengths;
 
       /** Weights of the nodes of a parabola in the slope of each node. */
       std::vector<std::array<double, 3>> parabola_slopes;
