@@ -1,5 +1,6 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/io/checkpoint.h>
 #include <heddle/io/hdf5_archive.h>
 #include <heddle/system/block_archive.h>
@@ -105,9 +106,7 @@ namespace Heddle
                       const std::string   &other_path) const
     {
       const MPI_Comm communicator = space.communicator();
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        create_folder(folder);
-      MPI_Barrier(communicator);
+      write_together([this]() { create_folder(folder); }, communicator);
 
       const std::string path =
         other_path.empty()
@@ -127,7 +126,7 @@ namespace Heddle
       save(archive);
       archive.commit();
       if (other_path.empty())
-        tidy_up(path);
+        write_together([&]() { tidy_up(path); }, communicator);
     }
 
 
@@ -154,8 +153,6 @@ namespace Heddle
     void
     Checkpoint::tidy_up(const std::string &newest) const
     {
-      if (Utilities::MPI::this_mpi_process(space.communicator()) != 0)
-        return;
       auto files = internal::Checkpoint::files(folder);
       while (files.back() != newest)
         {

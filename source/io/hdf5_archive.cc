@@ -1,5 +1,6 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/io/hdf5.h>
 #include <heddle/io/hdf5_archive.h>
 
@@ -227,9 +228,8 @@ namespace Heddle
       check_written(flushed && closed, "write " + beside);
       file.reset();
       MPI_Barrier(communicator);
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        std::filesystem::rename(beside, path);
-      MPI_Barrier(communicator);
+      write_together([this]() { std::filesystem::rename(beside, path); },
+                     communicator);
     }
 
 

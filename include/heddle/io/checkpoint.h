@@ -88,7 +88,7 @@ namespace Heddle
 
       /**
        * Remove what is older than the last files, and what is later than the
-       * @p newest: it belongs to an earlier run that went another way.
+       * @p newest: it belongs to an earlier run that went another way. Local.
        */
       void
       tidy_up(const std::string &newest) const;
