@@ -29,12 +29,14 @@ namespace Heddle
         files(const std::string &folder)
         {
           std::vector<std::filesystem::path> paths;
-          if (std::filesystem::is_directory(folder))
+          std::error_code                    none_there, unreadable;
+          if (std::filesystem::is_directory(folder, none_there))
             for (const auto &entry :
-                 std::filesystem::directory_iterator(folder))
+                 std::filesystem::directory_iterator(folder, unreadable))
               if (entry.path().extension() == ".h5" &&
                   entry.path().stem().string().rfind("step-", 0) == 0)
                 paths.push_back(entry.path());
+          require(!unreadable, "The folder \"" + folder + "\" cannot be read.");
           std::sort(paths.begin(), paths.end());
           return paths;
         }
@@ -45,6 +47,18 @@ namespace Heddle
         folder(const std::string &directory)
         {
           return directory + "/checkpoint";
+        }
+
+
+
+        std::string
+        last_file(const std::string &directory)
+        {
+          const auto paths = files(folder(directory));
+          require(!paths.empty(),
+                  "There is no checkpoint in \"" + directory +
+                    "\" to resume from: run without --resume first.");
+          return paths.back().string();
         }
 
 
@@ -166,14 +180,26 @@ namespace Heddle
 
 
     std::string
-    Checkpoint::last(const std::string &directory)
+    Checkpoint::last(const std::string &directory, const MPI_Comm communicator)
     {
-      const auto files =
-        internal::Checkpoint::files(internal::Checkpoint::folder(directory));
-      require(!files.empty(),
-              "There is no checkpoint in \"" + directory +
-                "\" to resume from: run without --resume first.");
-      return files.back().string();
+      // On disks of a network ranks may see folders as they were.
+      std::string path;
+      throw_together(
+        [&]() {
+          if (Utilities::MPI::this_mpi_process(communicator) == 0)
+            path = internal::Checkpoint::last_file(directory);
+        },
+        communicator);
+      return Utilities::MPI::broadcast(communicator, path);
+    }
+
+
+
+    void
+    Checkpoint::require_one(const std::string &directory,
+                            const MPI_Comm     communicator)
+    {
+      last(directory, communicator);
     }
 
 

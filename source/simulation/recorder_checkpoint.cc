@@ -69,8 +69,9 @@ namespace Heddle
       const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping,
       Log                                                      &log)
     {
-      Place                     place;
-      const std::string         path    = IO::Checkpoint::last(directory);
+      Place             place;
+      const std::string path =
+        IO::Checkpoint::last(directory, scene.space().communicator());
       const std::vector<Stage> &stages  = scene.stages();
       const std::string         where   = "The checkpoint \"" + path + "\"";
       const auto                prepare = [&](const ArchiveReader &archive) {

@@ -55,11 +55,19 @@ namespace Heddle
             const std::string   &other_path = "") const;
 
       /**
-       * Return the path of the last checkpoint in @p directory; without one,
-       * throw InputError.
+       * Return the path of the last checkpoint in @p directory, as the first
+       * rank sees it; without one, throw InputError.
+       * @note Collective.
        */
       static std::string
-      last(const std::string &directory);
+      last(const std::string &directory, const MPI_Comm communicator);
+
+      /**
+       * Throw InputError if there is no checkpoint in @p directory.
+       * @note Collective.
+       */
+      static void
+      require_one(const std::string &directory, const MPI_Comm communicator);
 
       /** Remove all of @p directory, if there are any. Local. */
       static void
