@@ -269,12 +269,10 @@ namespace Heddle
       check_scene(archive, path);
 
       Position position;
-      position.stage   = archive.read_text("position/stage");
-      position.history = archive.read_text("position/history");
-      position.number  = archive.read_number("position/number");
-      // Older checkpoints have the text of the parameter file instead.
-      if (archive.has("position/settings"))
-        position.settings = archive.read_text("position/settings");
+      position.stage    = archive.read_text("position/stage");
+      position.settings = archive.read_text("position/settings");
+      position.history  = archive.read_text("position/history");
+      position.number   = archive.read_number("position/number");
       state.step        = archive.read_number("position/step");
       state.load_factor = archive.read_number("position/load_factor");
 

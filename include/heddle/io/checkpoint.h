@@ -28,7 +28,7 @@ namespace Heddle
       {
         std::string  stage;
         unsigned int number = 0; /**< of the load step, over all stages */
-        std::string  settings;   /**< settings_text(), none of older files */
+        std::string  settings;   /**< settings_text() */
         std::string  history;    /**< text of history.csv */
       };
 
@@ -36,7 +36,7 @@ namespace Heddle
       using Load = std::function<void(const ArchiveReader &)>;
 
       /** Number of the layout of the files; older and newer are refused. */
-      static constexpr unsigned int schema = 6;
+      static constexpr unsigned int schema = 7;
 
       /** The last @p n_kept files stay. */
       Checkpoint(const System::FiberSpace &space,
