@@ -1,5 +1,8 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/throw_together.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <unistd.h>
 
@@ -9,6 +12,8 @@
 
 namespace Heddle
 {
+  using namespace dealii;
+
   std::string
   read_file(const std::string &name, const std::string &what)
   {
@@ -28,6 +33,24 @@ namespace Heddle
     if (text.rfind("\xEF\xBB\xBF", 0) == 0)
       text.erase(0, 3);
     return text;
+  }
+
+
+
+  std::string
+  read_file(const std::string &name,
+            const std::string &what,
+            const MPI_Comm     communicator)
+  {
+    const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
+    std::string text;
+    throw_together(
+      [&]() {
+        if (first_rank)
+          text = read_file(name, what);
+      },
+      communicator);
+    return Utilities::MPI::broadcast(communicator, text);
   }
 
 

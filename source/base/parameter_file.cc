@@ -68,9 +68,11 @@ namespace Heddle
 
 
 
-  ParameterFile::ParameterFile(const std::string &name)
-    : file_name(name)
-    , file_text(read_file(name, "parameter file"))
+  ParameterFile::ParameterFile(const std::string &name,
+                               const MPI_Comm     communicator)
+    : communicator(communicator)
+    , file_name(name)
+    , file_text(read_file(name, "parameter file", communicator))
   {
     scan(relative_to("", file_name), file_text);
   }
@@ -337,7 +339,7 @@ namespace Heddle
     std::string content;
     try
       {
-        content = read_file(file, "parameter file");
+        content = read_file(file, "parameter file", communicator);
       }
     catch (const InputError &error)
       {

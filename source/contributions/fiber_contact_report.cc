@@ -174,17 +174,13 @@ namespace Heddle
     void
     FiberContact::load(const ArchiveReader &archive, const System::State &)
     {
-      // Older checkpoints do not have it.
-      if (archive.has(name() + "/refinement"))
-        {
-          const double before = archive.read_number(name() + "/refinement");
-          std::ostringstream sentence;
-          sentence << "Contact/Refinement is " << refinement << ", and was "
-                   << before
-                   << " in the run that this one goes on from: places of "
-                      "contact are numbered by it; leave it as it was.";
-          require(before == refinement, sentence.str());
-        }
+      const double       before = archive.read_number(name() + "/refinement");
+      std::ostringstream sentence;
+      sentence << "Contact/Refinement is " << refinement << ", and was "
+               << before
+               << " in the run that this one goes on from: places of "
+                  "contact are numbered by it; leave it as it was.";
+      require(before == refinement, sentence.str());
       const Records records = archive.read_records(
         name() + "/cells", [this](const std::int64_t *key) {
           return space.owns(key[0]) || space.owns(key[1]);
@@ -220,11 +216,7 @@ namespace Heddle
       accepted_cells = cells.cells();
       fibers.forget_search();
 
-      // Older checkpoints do not have them: hardening counts from the next
-      // step.
       accepted_forces.clear();
-      if (!archive.has(name() + "/forces"))
-        return;
       const Records forces = archive.read_records(
         name() + "/forces",
         [this](const std::int64_t *key) { return space.owns(key[0]); });

@@ -121,15 +121,25 @@ namespace Heddle
         return result;
       };
 
+      // Most fibers of a fabric cross those of the other direction, so that
+      // none is found faster in a tree of boxes than one by one.
+      const std::pair<unsigned int, unsigned int> foreign[] = {
+        {0, owned.first}, {owned.second, space.n_fibers()}};
       // What one rank gets is in ascending order, and ranks are, too.
       std::map<unsigned int, std::vector<System::GhostFiber>> near;
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
+          const Box                                 own = box(f);
           std::map<unsigned int, System::NodeRange> near_rank;
-          for (unsigned int g = 0; g < space.n_fibers(); ++g)
-            if (!space.owns(g) && meet(box(f), box(g)))
-              add_near(
-                own_boxes[f - owned.first], box(g), near_rank[space.owner(g)]);
+          for (const auto &range : foreign)
+            for (unsigned int g = range.first; g < range.second; ++g)
+              {
+                const Box other = box(g);
+                if (meet(own, other))
+                  add_near(own_boxes[f - owned.first],
+                           other,
+                           near_rank[space.owner(g)]);
+              }
           for (const auto &piece : near_rank)
             if (!piece.second.empty())
               near[piece.first].push_back(

@@ -1,5 +1,6 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/io/checkpoint.h>
 #include <heddle/io/hdf5_archive.h>
 #include <heddle/system/block_archive.h>
@@ -28,12 +29,14 @@ namespace Heddle
         files(const std::string &folder)
         {
           std::vector<std::filesystem::path> paths;
-          if (std::filesystem::is_directory(folder))
+          std::error_code                    none_there, unreadable;
+          if (std::filesystem::is_directory(folder, none_there))
             for (const auto &entry :
-                 std::filesystem::directory_iterator(folder))
+                 std::filesystem::directory_iterator(folder, unreadable))
               if (entry.path().extension() == ".h5" &&
                   entry.path().stem().string().rfind("step-", 0) == 0)
                 paths.push_back(entry.path());
+          require(!unreadable, "The folder \"" + folder + "\" cannot be read.");
           std::sort(paths.begin(), paths.end());
           return paths;
         }
@@ -44,6 +47,18 @@ namespace Heddle
         folder(const std::string &directory)
         {
           return directory + "/checkpoint";
+        }
+
+
+
+        std::string
+        last_file(const std::string &directory)
+        {
+          const auto paths = files(folder(directory));
+          require(!paths.empty(),
+                  "There is no checkpoint in \"" + directory +
+                    "\" to resume from: run without --resume first.");
+          return paths.back().string();
         }
 
 
@@ -105,9 +120,7 @@ namespace Heddle
                       const std::string   &other_path) const
     {
       const MPI_Comm communicator = space.communicator();
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        create_folder(folder);
-      MPI_Barrier(communicator);
+      write_together([this]() { create_folder(folder); }, communicator);
 
       const std::string path =
         other_path.empty()
@@ -127,7 +140,7 @@ namespace Heddle
       save(archive);
       archive.commit();
       if (other_path.empty())
-        tidy_up(path);
+        write_together([&]() { tidy_up(path); }, communicator);
     }
 
 
@@ -154,8 +167,6 @@ namespace Heddle
     void
     Checkpoint::tidy_up(const std::string &newest) const
     {
-      if (Utilities::MPI::this_mpi_process(space.communicator()) != 0)
-        return;
       auto files = internal::Checkpoint::files(folder);
       while (files.back() != newest)
         {
@@ -169,14 +180,26 @@ namespace Heddle
 
 
     std::string
-    Checkpoint::last(const std::string &directory)
+    Checkpoint::last(const std::string &directory, const MPI_Comm communicator)
     {
-      const auto files =
-        internal::Checkpoint::files(internal::Checkpoint::folder(directory));
-      require(!files.empty(),
-              "There is no checkpoint in \"" + directory +
-                "\" to resume from: run without --resume first.");
-      return files.back().string();
+      // On disks of a network ranks may see folders as they were.
+      std::string path;
+      throw_together(
+        [&]() {
+          if (Utilities::MPI::this_mpi_process(communicator) == 0)
+            path = internal::Checkpoint::last_file(directory);
+        },
+        communicator);
+      return Utilities::MPI::broadcast(communicator, path);
+    }
+
+
+
+    void
+    Checkpoint::require_one(const std::string &directory,
+                            const MPI_Comm     communicator)
+    {
+      last(directory, communicator);
     }
 
 
@@ -246,12 +269,10 @@ namespace Heddle
       check_scene(archive, path);
 
       Position position;
-      position.stage   = archive.read_text("position/stage");
-      position.history = archive.read_text("position/history");
-      position.number  = archive.read_number("position/number");
-      // Older checkpoints have the text of the parameter file instead.
-      if (archive.has("position/settings"))
-        position.settings = archive.read_text("position/settings");
+      position.stage    = archive.read_text("position/stage");
+      position.settings = archive.read_text("position/settings");
+      position.history  = archive.read_text("position/history");
+      position.number   = archive.read_number("position/number");
       state.step        = archive.read_number("position/step");
       state.load_factor = archive.read_number("position/load_factor");
 

@@ -1,5 +1,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/throw_together.h>
+#include <heddle/io/hdf5.h>
 #include <heddle/io/hdf5_archive.h>
 
 #include <deal.II/base/exceptions.h>
@@ -26,151 +28,8 @@ namespace Heddle
 
         /** What a file needs beside its data, at most [bytes]. */
         constexpr std::uint64_t spare = 1 << 20;
-
-
-
-        /** One rank needs no MPI to read and write files. */
-        bool
-        by_mpi(const MPI_Comm communicator)
-        {
-          return Utilities::MPI::n_mpi_processes(communicator) > 1;
-        }
-
-
-
-        Hdf5Handle
-        file_access(const MPI_Comm communicator)
-        {
-          const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
-          if (by_mpi(communicator))
-            H5Pset_fapl_mpio(list, communicator, MPI_INFO_NULL);
-          return {list, H5Pclose, "prepare access to a file"};
-        }
-
-
-
-        /**
-         * One rank makes a file in its memory and writes it at once: HDF5 can
-         * not give up a file that it cannot write, and crashes at the end.
-         */
-        Hdf5Handle
-        access_to_write(const MPI_Comm communicator)
-        {
-          if (by_mpi(communicator))
-            return file_access(communicator);
-          constexpr std::size_t piece = 1 << 20;
-          const hid_t           list  = H5Pcreate(H5P_FILE_ACCESS);
-          H5Pset_fapl_core(list, piece, /*backing_store=*/false);
-          return {list, H5Pclose, "prepare a file"};
-        }
-
-
-
-        /** What is in a file that is made in memory; empty if it is not. */
-        std::string
-        image(const hid_t file)
-        {
-          const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-          std::string   bytes(std::max<ssize_t>(size, 0), ' ');
-          if (size > 0 && H5Fget_file_image(file, &bytes[0], size) != size)
-            bytes.clear();
-          return bytes;
-        }
-
-
-
-        Hdf5Handle
-        transfer(const MPI_Comm communicator)
-        {
-          const hid_t list = H5Pcreate(H5P_DATASET_XFER);
-          if (by_mpi(communicator))
-            H5Pset_dxpl_mpio(list, H5FD_MPIO_COLLECTIVE);
-          return {list, H5Pclose, "prepare a transfer"};
-        }
-
-
-
-        /**
-         * HDF5 tells of its errors in pages; ours are one sentence. What could
-         * not be written it tries again when the program ends, and crashes.
-         */
-        void
-        silence()
-        {
-          H5dont_atexit();
-          H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-        }
-
-
-
-        /** "contact/zones" makes the group "contact" if it is not there. */
-        Hdf5Handle
-        with_groups()
-        {
-          const hid_t list = H5Pcreate(H5P_LINK_CREATE);
-          H5Pset_create_intermediate_group(list, 1);
-          return {list, H5Pclose, "prepare groups"};
-        }
-
-
-
-        /** Dates would make every file differ from the last run's. */
-        Hdf5Handle
-        without_dates()
-        {
-          const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
-          H5Pset_obj_track_times(list, false);
-          return {list, H5Pclose, "prepare data"};
-        }
-
-
-
-        /** The rows [first, first + n) of a data set; none if n is zero. */
-        void
-        select_rows(const hid_t         space,
-                    const std::uint64_t first,
-                    const std::uint64_t n,
-                    const unsigned int  n_columns)
-        {
-          const hsize_t offset[2] = {first, 0};
-          const hsize_t count[2]  = {n, n_columns};
-          const herr_t  error =
-            (n == 0)
-               ? H5Sselect_none(space)
-               : H5Sselect_hyperslab(
-                  space, H5S_SELECT_SET, offset, nullptr, count, nullptr);
-          AssertThrow(error >= 0, ExcMessage("HDF5 cannot select rows."));
-        }
       } // namespace Hdf5Archive
     }   // namespace internal
-
-
-
-    Hdf5Handle::Hdf5Handle(const hid_t        id,
-                           const Close        close,
-                           const std::string &what)
-      : id(id)
-      , close(close)
-    {
-      AssertThrow(id >= 0, ExcMessage("HDF5 cannot " + what + "."));
-    }
-
-
-
-    Hdf5Handle::~Hdf5Handle()
-    {
-      close_now();
-    }
-
-
-
-    bool
-    Hdf5Handle::close_now()
-    {
-      const bool success = id < 0 || close(id) >= 0;
-      id                 = H5I_INVALID_HID;
-      return success;
-    }
 
 
 
@@ -179,8 +38,8 @@ namespace Heddle
       , beside(path + ".part")
       , communicator(communicator)
     {
-      internal::Hdf5Archive::silence();
-      const auto access = internal::Hdf5Archive::access_to_write(communicator);
+      Hdf5::silence();
+      const auto access = Hdf5::access_to_write(communicator);
       file              = std::make_unique<Hdf5Handle>(
         H5Fcreate(beside.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access),
         H5Fclose,
@@ -194,7 +53,7 @@ namespace Heddle
       if (file == nullptr)
         return;
       // Ranks close a file together: who failed alone would wait for ever.
-      if (internal::Hdf5Archive::by_mpi(communicator))
+      if (Hdf5::by_mpi(communicator))
         file->abandon();
       file.reset();
       std::error_code nobody_is_left_to_tell;
@@ -213,15 +72,13 @@ namespace Heddle
                            const unsigned int  n_columns,
                            const void         *values)
     {
-      namespace helpers = internal::Hdf5Archive;
-
       check_space(n_rows * n_columns * sizeof(double));
       const std::string what     = "write \"" + name + "\" to " + beside;
       const hsize_t     all[2]   = {n_rows, n_columns};
       const hsize_t     mine[2]  = {n_my_rows, n_columns};
-      const auto        groups   = helpers::with_groups();
-      const auto        undated  = helpers::without_dates();
-      const auto        transfer = helpers::transfer(communicator);
+      const auto        groups   = Hdf5::with_groups();
+      const auto        undated  = Hdf5::without_dates();
+      const auto        transfer = Hdf5::transfer(communicator);
 
       const Hdf5Handle space(H5Screate_simple(2, all, nullptr), H5Sclose, what);
       const Hdf5Handle memory(
@@ -234,9 +91,9 @@ namespace Heddle
       if (n_rows == 0)
         return;
 
-      helpers::select_rows(space, first_row, n_my_rows, n_columns);
+      Hdf5::select_rows(space, first_row, n_my_rows, n_columns);
       if (n_my_rows == 0)
-        H5Sselect_none(memory);
+        hdf5(H5Sselect_none(memory), what);
       const bool written =
         H5Dwrite(data, type, memory, space, transfer, values) >= 0;
       const bool closed = data.close_now();
@@ -248,7 +105,7 @@ namespace Heddle
     void
     Hdf5Writer::check_space(const std::uint64_t bytes) const
     {
-      if (!internal::Hdf5Archive::by_mpi(communicator))
+      if (!Hdf5::by_mpi(communicator))
         return;
       int enough = 1;
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -357,12 +214,11 @@ namespace Heddle
     void
     Hdf5Writer::commit()
     {
-      namespace helpers = internal::Hdf5Archive;
       check_space(0);
       const bool flushed = H5Fflush(*file, H5F_SCOPE_GLOBAL) >= 0;
-      if (!helpers::by_mpi(communicator))
+      if (!Hdf5::by_mpi(communicator))
         {
-          const std::string bytes = helpers::image(*file);
+          const std::string bytes = Hdf5::image(*file);
           check_written(flushed && !bytes.empty(), "write " + path);
           file.reset();
           write_file(path, bytes);
@@ -372,9 +228,8 @@ namespace Heddle
       check_written(flushed && closed, "write " + beside);
       file.reset();
       MPI_Barrier(communicator);
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        std::filesystem::rename(beside, path);
-      MPI_Barrier(communicator);
+      write_together([this]() { std::filesystem::rename(beside, path); },
+                     communicator);
     }
 
 
@@ -383,7 +238,7 @@ namespace Heddle
       : path(path)
       , communicator(communicator)
     {
-      internal::Hdf5Archive::silence();
+      Hdf5::silence();
 
       // Only one rank asks, so that all of them stop, or none.
       int is_there = 0;
@@ -395,7 +250,7 @@ namespace Heddle
               "The checkpoint \"" + path +
                 "\" does not exist or is no complete HDF5 file.");
 
-      const auto  access = internal::Hdf5Archive::file_access(communicator);
+      const auto  access = Hdf5::file_access(communicator);
       const hid_t id     = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
       require(id >= 0,
               "The checkpoint \"" + path + "\" is damaged or cut off.");
@@ -453,8 +308,6 @@ namespace Heddle
                           const unsigned int  n_columns,
                           void               *values) const
     {
-      namespace helpers = internal::Hdf5Archive;
-
       const auto n = shape(name);
       require(n[1] == n_columns && first_row + n_rows <= n[0],
               "The checkpoint \"" + path + "\" holds " + std::to_string(n[0]) +
@@ -465,15 +318,15 @@ namespace Heddle
 
       const std::string what     = "read \"" + name + "\" from " + path;
       const hsize_t     mine[2]  = {n_rows, n_columns};
-      const auto        transfer = helpers::transfer(communicator);
+      const auto        transfer = Hdf5::transfer(communicator);
       const Hdf5Handle  data(
         H5Dopen2(*file, name.c_str(), H5P_DEFAULT), H5Dclose, what);
       const Hdf5Handle space(H5Dget_space(data), H5Sclose, what);
       const Hdf5Handle memory(
         H5Screate_simple(2, mine, nullptr), H5Sclose, what);
-      helpers::select_rows(space, first_row, n_rows, n_columns);
+      Hdf5::select_rows(space, first_row, n_rows, n_columns);
       if (n_rows == 0)
-        H5Sselect_none(memory);
+        hdf5(H5Sselect_none(memory), what);
       require(H5Dread(data, type, memory, space, transfer, values) >= 0,
               "The checkpoint \"" + path + "\" is damaged: \"" + name +
                 "\" cannot be read.");

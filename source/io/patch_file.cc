@@ -1,4 +1,5 @@
 #include <heddle/base/file.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/io/patch_file.h>
 
 #include <deal.II/base/mpi.h>
@@ -47,13 +48,11 @@ namespace Heddle
     PatchFile<patch_dim>::write(const std::string &path,
                                 const MPI_Comm     communicator)
     {
-      const bool first_rank =
-        Utilities::MPI::this_mpi_process(communicator) == 0;
+      const std::filesystem::path folder =
+        std::filesystem::path(path).parent_path();
       const std::string beside = path + ".part";
 
-      if (first_rank)
-        create_folder(std::filesystem::path(path).parent_path().string());
-      MPI_Barrier(communicator);
+      write_together([&]() { create_folder(folder.string()); }, communicator);
       // One rank needs no MPI to write a file.
       if (Utilities::MPI::n_mpi_processes(communicator) == 1)
         {
@@ -68,10 +67,9 @@ namespace Heddle
       else
         this->write_vtu_in_parallel(beside, communicator);
       MPI_Barrier(communicator);
-      if (first_rank)
-        std::filesystem::rename(beside, path);
       // No rank goes on before the file is there under its name.
-      MPI_Barrier(communicator);
+      write_together([&]() { std::filesystem::rename(beside, path); },
+                     communicator);
     }
 
 

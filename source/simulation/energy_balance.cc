@@ -102,6 +102,7 @@ namespace Heddle
     void
     EnergyBalance::save(ArchiveWriter &archive) const
     {
+      archive.write_number("energy balance/begun", begun);
       archive.write_number("energy balance/energy", energy);
       archive.write_number("energy balance/work", work);
       archive.write_number("energy balance/sum", sum);
@@ -113,9 +114,7 @@ namespace Heddle
     void
     EnergyBalance::load(const ArchiveReader &archive)
     {
-      begun = archive.has("energy balance/energy");
-      if (!begun)
-        return;
+      begun  = archive.read_number("energy balance/begun") > 0.;
       energy = archive.read_number("energy balance/energy");
       work   = archive.read_number("energy balance/work");
       sum    = archive.read_number("energy balance/sum");

@@ -69,8 +69,9 @@ namespace Heddle
       const std::vector<std::unique_ptr<Solver::LoadStepping>> &stepping,
       Log                                                      &log)
     {
-      Place                     place;
-      const std::string         path    = IO::Checkpoint::last(directory);
+      Place             place;
+      const std::string path =
+        IO::Checkpoint::last(directory, scene.space().communicator());
       const std::vector<Stage> &stages  = scene.stages();
       const std::string         where   = "The checkpoint \"" + path + "\"";
       const auto                prepare = [&](const ArchiveReader &archive) {
@@ -223,11 +224,7 @@ namespace Heddle
     void
     Recorder::load_summary(const ArchiveReader &archive)
     {
-      // Older checkpoints do not have them.
-      const unsigned int n_results =
-        archive.has("summary/n_results")
-          ? archive.read_number("summary/n_results")
-          : 0;
+      const unsigned int n_results = archive.read_number("summary/n_results");
       for (unsigned int i = 0; i < n_results; ++i)
         summary.results[archive.read_text(result_entry(i, "name"))] =
           archive.read_number(result_entry(i, "value"));
@@ -238,9 +235,7 @@ namespace Heddle
           stage.name              = archive.read_text(stage_entry(i, "name"));
           stage.status            = archive.read_text(stage_entry(i, "status"));
           for_each_number(stage, [&](const std::string &name, double &value) {
-            // Older checkpoints do not have all of them.
-            if (archive.has(stage_entry(i, name)))
-              value = archive.read_number(stage_entry(i, name));
+            value = archive.read_number(stage_entry(i, name));
           });
         }
     }

@@ -1,6 +1,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/base/folder_lock.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/base/version.h>
 #include <heddle/simulation/computation.h>
 #include <heddle/simulation/inactive_parameters.h>
@@ -263,10 +264,11 @@ namespace Heddle
               SectionTimer        &timer,
               StopRequest         &stop)
       {
+        const MPI_Comm communicator = scene.space().communicator();
         if (command_line.resume)
-          IO::Checkpoint::last(directory);
-        create_folder(directory);
-        const FolderLock lock(directory, scene.space().communicator());
+          IO::Checkpoint::require_one(directory, communicator);
+        throw_together([&]() { create_folder(directory); }, communicator);
+        const FolderLock lock(directory, communicator);
         Recorder         recorder(scene, parameters, file, directory, timer);
         Computation computation(scene, parameters, recorder, log, timer, stop);
         // Nothing is written before it is clear that the run goes on.
@@ -286,9 +288,10 @@ namespace Heddle
     void
     run(const CommandLine &command_line, const MPI_Comm communicator)
     {
-      ParameterFile file = command_line.parameter_file.empty()
-                             ? ParameterFile()
-                             : ParameterFile(command_line.parameter_file);
+      ParameterFile file =
+        command_line.parameter_file.empty()
+          ? ParameterFile()
+          : ParameterFile(command_line.parameter_file, communicator);
       for (const std::string &assignment : command_line.assignments)
         file.set(assignment);
       const Parameters parameters(file);

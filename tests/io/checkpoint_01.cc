@@ -68,7 +68,7 @@ read(const MPI_Comm communicator, const std::string &directory)
   const auto position =
     Checkpoint(fabric.space, directory, /*n_kept=*/2)
       .read(
-        Checkpoint::last(directory),
+        Checkpoint::last(directory, communicator),
         fabric.state,
         [&](const Heddle::ArchiveReader &archive) {
           const auto owned = fabric.space.owned_fibers();

@@ -101,13 +101,14 @@ checkpoints()
   const auto        nothing_read  = [](const Heddle::ArchiveReader &) {};
   std::filesystem::remove_all(directory);
 
-  report([&]() { Checkpoint::last(directory); });
+  report([&]() { Checkpoint::last(directory, MPI_COMM_WORLD); });
 
   const Checkpoint     checkpoint(fabric.space, directory, /*n_kept=*/2);
   Checkpoint::Position position;
   for (position.number = 1; position.number <= 5; ++position.number)
     checkpoint.write(position, fabric.state, nothing_saved);
-  deallog << "last " << Checkpoint::last(directory) << ", step 3 is there: "
+  deallog << "last " << Checkpoint::last(directory, MPI_COMM_WORLD)
+          << ", step 3 is there: "
           << std::filesystem::exists(directory + "/checkpoint/step-00003.h5")
           << std::endl;
 
@@ -119,14 +120,14 @@ checkpoints()
     }
   catch (const std::runtime_error &error)
     {
-      deallog << error.what() << ", last " << Checkpoint::last(directory)
-              << ", part left: "
+      deallog << error.what() << ", last "
+              << Checkpoint::last(directory, MPI_COMM_WORLD) << ", part left: "
               << std::filesystem::exists(directory +
                                          "/checkpoint/step-00006.h5.part")
               << std::endl;
     }
 
-  const std::string last = Checkpoint::last(directory);
+  const std::string last = Checkpoint::last(directory, MPI_COMM_WORLD);
   report([&]() { checkpoint.read(last, fabric.state, nothing_read); });
   report([&]() {
     checkpoint.read(last, fabric.state, [](const Heddle::ArchiveReader &file) {

@@ -1,6 +1,8 @@
 #ifndef heddle_base_file_h
 #define heddle_base_file_h
 
+#include <mpi.h>
+
 #include <string>
 
 namespace Heddle
@@ -12,6 +14,16 @@ namespace Heddle
    */
   std::string
   read_file(const std::string &name, const std::string &what);
+
+  /**
+   * The same by the first rank for all, which get the same text, or throw
+   * together.
+   * @note Collective.
+   */
+  std::string
+  read_file(const std::string &name,
+            const std::string &what,
+            const MPI_Comm     communicator);
 
   /**
    * Write @p text to the file @p name: first beside it, then renamed, so that

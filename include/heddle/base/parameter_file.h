@@ -3,6 +3,8 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <mpi.h>
+
 #include <map>
 #include <string>
 #include <vector>
@@ -38,8 +40,12 @@ namespace Heddle
     /** A file that sets nothing. */
     ParameterFile() = default;
 
-    /** Read the file @p name and all that it includes, or throw InputError. */
-    ParameterFile(const std::string &name);
+    /**
+     * Read the file @p name and all that it includes, or throw InputError. The
+     * first rank reads for all of @p communicator. @note Collective.
+     */
+    ParameterFile(const std::string &name,
+                  const MPI_Comm     communicator = MPI_COMM_SELF);
 
     /**
      * Set one more parameter, after those of the file. @p assignment is a text
@@ -116,6 +122,7 @@ namespace Heddle
     void
     include(const std::string &name, const std::string &where);
 
+    const MPI_Comm         communicator = MPI_COMM_SELF;
     const std::string      file_name;
     const std::string      file_text;
     std::vector<Statement> statements;

@@ -15,6 +15,15 @@ namespace Heddle
    */
   void
   throw_together(const std::function<void()> &action, MPI_Comm communicator);
+
+  /**
+   * Let the first rank call @p action, which changes files of a run that is
+   * under way, and wait for it. If it fails all ranks throw what it said as a
+   * std::runtime_error: a disk that is full is no fault of the input.
+   * @note Collective.
+   */
+  void
+  write_together(const std::function<void()> &action, MPI_Comm communicator);
 } // namespace Heddle
 
 #endif

@@ -28,7 +28,7 @@ namespace Heddle
       {
         std::string  stage;
         unsigned int number = 0; /**< of the load step, over all stages */
-        std::string  settings;   /**< settings_text(), none of older files */
+        std::string  settings;   /**< settings_text() */
         std::string  history;    /**< text of history.csv */
       };
 
@@ -36,7 +36,7 @@ namespace Heddle
       using Load = std::function<void(const ArchiveReader &)>;
 
       /** Number of the layout of the files; older and newer are refused. */
-      static constexpr unsigned int schema = 6;
+      static constexpr unsigned int schema = 7;
 
       /** The last @p n_kept files stay. */
       Checkpoint(const System::FiberSpace &space,
@@ -55,11 +55,19 @@ namespace Heddle
             const std::string   &other_path = "") const;
 
       /**
-       * Return the path of the last checkpoint in @p directory; without one,
-       * throw InputError.
+       * Return the path of the last checkpoint in @p directory, as the first
+       * rank sees it; without one, throw InputError.
+       * @note Collective.
        */
       static std::string
-      last(const std::string &directory);
+      last(const std::string &directory, const MPI_Comm communicator);
+
+      /**
+       * Throw InputError if there is no checkpoint in @p directory.
+       * @note Collective.
+       */
+      static void
+      require_one(const std::string &directory, const MPI_Comm communicator);
 
       /** Remove all of @p directory, if there are any. Local. */
       static void
@@ -88,7 +96,7 @@ namespace Heddle
 
       /**
        * Remove what is older than the last files, and what is later than the
-       * @p newest: it belongs to an earlier run that went another way.
+       * @p newest: it belongs to an earlier run that went another way. Local.
        */
       void
       tidy_up(const std::string &newest) const;

@@ -2,8 +2,8 @@
 #define heddle_io_hdf5_archive_h
 
 #include <heddle/base/archive.h>
+#include <heddle/io/hdf5.h>
 
-#include <hdf5.h>
 #include <mpi.h>
 
 #include <array>
@@ -15,45 +15,6 @@ namespace Heddle
 {
   namespace IO
   {
-    /** Something that HDF5 has opened, closed when it goes out of scope. */
-    class Hdf5Handle
-    {
-    public:
-      using Close = herr_t (*)(hid_t);
-
-      /** @p id is checked; @p what names the failed action, if it failed. */
-      Hdf5Handle(const hid_t id, const Close close, const std::string &what);
-      Hdf5Handle(const Hdf5Handle &) = delete;
-      Hdf5Handle &
-      operator=(const Hdf5Handle &) = delete;
-      ~Hdf5Handle();
-
-      /**
-       * Close it before it goes out of scope, and return whether that went
-       * well: what HDF5 has kept back is written only now.
-       */
-      bool
-      close_now();
-
-      /** Leave it open for good. */
-      void
-      abandon()
-      {
-        id = H5I_INVALID_HID;
-      }
-
-      operator hid_t() const
-      {
-        return id;
-      }
-
-    private:
-      hid_t       id;
-      const Close close;
-    };
-
-
-
     /**
      * An archive in one HDF5 file that all ranks write together. It is written
      * beside and takes its name in commit() only: without that, the file is

@@ -47,7 +47,19 @@ namespace Heddle
       update(std::vector<Tensor<1, 3>> &values) const;
 
     private:
+      /** Put what is sent into the buffer, rank by rank. */
+      void
+      collect(const std::vector<Tensor<1, 3>> &values) const;
+
+      static unsigned int
+      n_blocks(const std::vector<Piece> &pieces);
+
       const MPI_Comm communicator;
+
+      // Every product with a matrix fetches copies: memory is kept from one
+      // time to the next.
+      mutable std::vector<Tensor<1, 3>> buffer;
+      mutable std::vector<MPI_Request>  requests;
     };
   } // namespace System
 } // namespace Heddle
