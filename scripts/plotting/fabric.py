@@ -17,10 +17,10 @@ from plotting.surfaces import clipped, outlines, paint, tube
 TALLEST = 12.
 
 
-def drawn(fibers):
+def drawn(fibers, colors=None):
     """Return the painted tubes of the fibers."""
     surfaces = []
-    for fiber, color in zip(fibers, colors_of(fibers)):
+    for fiber, color in zip(fibers, colors or colors_of(fibers)):
         surface = tube(fiber)
         paint(surface, color)
         surfaces.append(surface)
@@ -34,10 +34,14 @@ def plot_fabric(frame, folder, options):
 
 
 def plot_cutout(frame, folder, options):
+    one_picture(cut_open(frame.fibers, options.view, options.size),
+                frame.stage, folder, "cutout.png")
+
+
+def cut_open(fibers, view, size, colors=None):
     """Cut through the middles of two yarns, and look at the cuts."""
-    fibers = frame.fibers
     low, high = bounds_of(fibers)
-    azimuth = np.radians(options.view[0])
+    azimuth = np.radians(view[0])
     planes = vtk.vtkPlaneCollection()
     box = [low.copy(), high.copy()]
     for axis, towards in ((0, np.cos(azimuth)), (1, np.sin(azimuth))):
@@ -51,16 +55,15 @@ def plot_cutout(frame, folder, options):
         box[1 if side < 0 else 0][axis] = station
 
     surfaces = []
-    for fiber, color in zip(fibers, colors_of(fibers)):
+    for fiber, color in zip(fibers, colors or colors_of(fibers)):
         inside = np.ones(len(fiber.points), dtype=bool)
         for axis in (0, 1):
             inside &= fiber.points[:, axis] > box[0][axis] - fiber.radius
             inside &= fiber.points[:, axis] < box[1][axis] + fiber.radius
         if inside.any():
             surfaces.append(clipped(tube(fiber), planes, color))
-    picture = render(surfaces, radius_of(fibers), box,
-                     (options.view[0], 0.75 * options.view[1]), options.size)
-    one_picture(picture, frame.stage, folder, "cutout.png")
+    return render(surfaces, radius_of(fibers), box,
+                  (view[0], 0.75 * view[1]), size)
 
 
 def default_stations(fibers, axis):

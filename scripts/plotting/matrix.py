@@ -170,9 +170,14 @@ def plot_deformed(frames, radius, folder, options):
 
 
 def plot_embedded(grid, fibers, folder, options):
+    one_picture(embedded(grid, fibers, options.view, options.size),
+                "fibers and half of the matrix", folder, "composite.png")
+
+
+def embedded(grid, fibers, view, size, colors=None):
     """The fibers, and half of the matrix around them."""
     box = common_box([bounds_of(fibers), box_of(grid)])
-    azimuth = np.radians(options.view[0])
+    azimuth = np.radians(view[0])
     away = -np.array([np.cos(azimuth), np.sin(azimuth), 0.])
     plane = vtk.vtkPlane()
     plane.SetOrigin(*(0.5 * (box[0] + box[1])))
@@ -190,9 +195,8 @@ def plot_embedded(grid, fibers, folder, options):
     surface.GetPointData().Initialize()
     surface.GetCellData().Initialize()
     paint(surface, CELL_COLOR)
-    one_picture(render(drawn(fibers) + [surface, edges], radius, box,
-                       options.view, options.size),
-                "fibers and half of the matrix", folder, "composite.png")
+    return render(drawn(fibers, colors) + [surface, edges], radius, box, view,
+                  size)
 
 
 def plot_matrix(directory, last_fibers, folder, options):
