@@ -169,7 +169,7 @@ namespace Heddle
 
 
     void
-    FiberContact::probe(System::State &state)
+    FiberContact::update_trial(System::State &state)
     {
       fibers.set(state);
       fibers.measure_motion(state);

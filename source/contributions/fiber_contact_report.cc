@@ -13,7 +13,8 @@ namespace Heddle
   namespace Contributions
   {
     std::vector<unsigned int>
-    FiberContact::partners(const unsigned int f, const unsigned int node) const
+    FiberContact::contacting_fibers(const unsigned int f,
+                                    const unsigned int node) const
     {
       const double place = space.node_positions(f)[node],
                    reach = space.fiber(f).length / (space.fiber(f).n_nodes - 1);

@@ -35,7 +35,7 @@ namespace Heddle
 
 
     void
-    FiberFriction::probe(System::State &state)
+    FiberFriction::update_trial(System::State &state)
     {
       place_elements(state);
     }

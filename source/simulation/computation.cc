@@ -363,11 +363,11 @@ namespace Heddle
           total.unstable       = result.unstable;
 
           // Only now is it known whether fibers came near each other.
-          const bool rough =
+          const bool nonsmooth =
             std::any_of(contributions.begin(),
                         contributions.end(),
-                        [](const auto &one) { return one->is_rough(); });
-          if (!result.converged || !rough || stage.aim == Solver::Aim::calm)
+                        [](const auto &one) { return one->is_nonsmooth(); });
+          if (!result.converged || !nonsmooth || stage.aim == Solver::Aim::calm)
             return total;
 
           for (const auto &contribution : contributions)

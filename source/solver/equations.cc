@@ -160,11 +160,11 @@ namespace Heddle
 
 
     bool
-    Equations::is_rough() const
+    Equations::is_nonsmooth() const
     {
       return std::any_of(contributions.begin(),
                          contributions.end(),
-                         [](const auto &one) { return one->is_rough(); });
+                         [](const auto &one) { return one->is_nonsmooth(); });
     }
 
 
@@ -190,10 +190,10 @@ namespace Heddle
 
 
     void
-    Equations::let_forces_turn(const bool wanted)
+    Equations::set_geometric_stiffness(const bool wanted)
     {
       for (const auto &contribution : contributions)
-        contribution->let_forces_turn(wanted);
+        contribution->set_geometric_stiffness(wanted);
     }
 
 

@@ -36,7 +36,7 @@ namespace Heddle
           motion_of_block *= part;
         state.move(1., motion);
         for (const auto &contribution : contributions)
-          contribution->probe(state);
+          contribution->update_trial(state);
         system.begin(System::BlockSystem::Want::residual);
         for (const auto &contribution : contributions)
           contribution->assemble(state, system);

@@ -51,10 +51,10 @@ namespace Heddle
       petsc(VecDot(system.solution(), image, &curvature));
       petsc(VecDestroy(&image));
 
-      const std::array<double, 2> rough = rough_part();
+      const std::array<double, 2> nonsmooth = nonsmooth_part();
       first.curvature  = curvature + raised(system, first.slope) - damping;
-      smooth_slope     = first.slope - rough[0];
-      smooth_curvature = first.curvature - rough[1];
+      smooth_slope     = first.slope - nonsmooth[0];
+      smooth_curvature = first.curvature - nonsmooth[1];
     }
 
 
@@ -152,11 +152,11 @@ namespace Heddle
 
 
     std::array<double, 2>
-    LineSearch::rough_part() const
+    LineSearch::nonsmooth_part() const
     {
       std::array<double, 2> sum = {};
       for (const auto &contribution : contributions)
-        if (contribution->is_rough())
+        if (contribution->is_nonsmooth())
           {
             const auto part =
               contribution->slope_and_curvature(state, increment);
@@ -179,13 +179,13 @@ namespace Heddle
         trial[b] = factor * increment[b];
       state.move(1., trial);
       for (const auto &contribution : contributions)
-        if (contribution->is_rough())
-          contribution->probe(state);
-      const std::array<double, 2> rough = rough_part();
+        if (contribution->is_nonsmooth())
+          contribution->update_trial(state);
+      const std::array<double, 2> nonsmooth = nonsmooth_part();
       state.set(start);
       return {factor,
-              smooth_slope + factor * smooth_curvature + rough[0],
-              smooth_curvature + rough[1]};
+              smooth_slope + factor * smooth_curvature + nonsmooth[0],
+              smooth_curvature + nonsmooth[1]};
     }
   } // namespace Solver
 } // namespace Heddle

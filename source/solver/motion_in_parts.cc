@@ -45,10 +45,10 @@ namespace Heddle
            StopRequest             &stop)
     {
       // A rank without fibers has no part in a guess, but goes along. Without
-      // rough terms Newton's method goes further in one step.
+      // nonsmooth terms Newton's method goes further in one step.
       if (Utilities::MPI::max(guess.empty() ? 0 : 1, equations.communicator) ==
             0 ||
-          !equations.is_rough())
+          !equations.is_nonsmooth())
         return false;
 
       // What does not bring the ends where they are to go leads elsewhere.
@@ -108,7 +108,7 @@ namespace Heddle
             break;
           equations.update();
           increment = with_ghosts(state, increment);
-          if (equations.is_rough())
+          if (equations.is_nonsmooth())
             break;
         }
       state.move(-taken, increment);

@@ -15,8 +15,8 @@ namespace Heddle
     {
       /**
        * An iteration is calm if it moves no fiber further than @p motion, in
-       * radii, and forces balance on average to @p mean_ratio. Rough terms then
-       * keep the part @p hardening of their softness.
+       * radii, and forces balance on average to @p mean_ratio. Nonsmooth terms
+       * then keep the part @p hardening of their softness.
        */
       struct Calm
       {
@@ -40,7 +40,7 @@ namespace Heddle
         return aim == Aim::calm ? before_friction : before_equilibrium;
       }
 
-      /** Rough terms are softened from this mean residual ratio on, ... */
+      /** Nonsmooth terms are softened from this mean residual ratio on, ... */
       constexpr double unsettled = 1.;
 
       /** ... and this is the least softness before none. */
@@ -111,7 +111,7 @@ namespace Heddle
       tools.secants.forget();
       tools.damping.reset(/*in_motion=*/false);
       equations.set_softness(0.);
-      equations.let_forces_turn(false);
+      equations.set_geometric_stiffness(false);
       {
         SectionTimer::Scope scope(timer, "detection");
         guessed = follow(equations, guess, stop);
@@ -143,9 +143,9 @@ namespace Heddle
     {
       equations.prepare();
       equations.assemble();
-      residual = equations.judge();
-      rough    = equations.is_rough();
-      if (rough && iteration == 0 && !guessed &&
+      residual  = equations.judge();
+      nonsmooth = equations.is_nonsmooth();
+      if (nonsmooth && iteration == 0 && !guessed &&
           aim != Aim::equilibrium_after_calm &&
           residual.mean_ratio >= unsettled)
         {
@@ -155,7 +155,7 @@ namespace Heddle
           equations.assemble();
           residual = equations.judge();
         }
-      calm = rough && iteration > 0 &&
+      calm = nonsmooth && iteration > 0 &&
              result.increment < calmness(aim).motion &&
              residual.mean_ratio < calmness(aim).mean_ratio;
       result.residual_ratio = residual.ratio;
@@ -185,7 +185,8 @@ namespace Heddle
             " is no finite number";
           return Verdict::ended;
         }
-      if (aim == Aim::calm && equations.softness() == 0. && (calm || !rough))
+      if (aim == Aim::calm && equations.softness() == 0. &&
+          (calm || !nonsmooth))
         {
           result.converged = true;
           return Verdict::ended;
@@ -214,7 +215,7 @@ namespace Heddle
       // In a matrix fibers buckle in waves as short as hexahedra allow, all at
       // once: that is told, and not followed.
       result.unstable =
-        !rough && (guarded || linear.indefinite) && is_unstable();
+        !nonsmooth && (guarded || linear.indefinite) && is_unstable();
       if (result.unstable && !guarded && !equations.state.matrix())
         {
           begin_again("not stable");
@@ -251,7 +252,7 @@ namespace Heddle
 
       // Without bounds Newton's method goes to and fro where a structure snaps
       // through: held back, its energy falls.
-      if (n_whole == most_unguarded && !rough && !guarded &&
+      if (n_whole == most_unguarded && !nonsmooth && !guarded &&
           !linear.unsymmetric && !equations.state.matrix())
         {
           begin_again("no equilibrium in sight");

@@ -49,9 +49,9 @@ namespace Heddle
        * residual ratio. Further from equilibrium, by motion or by forces, what
        * makes them slide makes them slide too far.
        */
-      constexpr unsigned int most_unturned     = 5;
-      constexpr double       near_rest         = 0.01;
-      constexpr double       near_mean_balance = 0.1;
+      constexpr unsigned int most_without_geometric = 5;
+      constexpr double       near_rest              = 0.01;
+      constexpr double       near_mean_balance      = 0.1;
     } // namespace
 
 
@@ -61,23 +61,23 @@ namespace Heddle
     {
       // An iteration in which forces turned in vain is followed by one in
       // which they do not.
-      turned = rough && is_in_place() && equations.softness() == 0. &&
-               may_turn && iteration >= most_unturned &&
-               result.increment < near_rest &&
-               residual.mean_ratio < near_mean_balance &&
-               !(turned && residual.ratio > ratio_before);
+      geometric = nonsmooth && is_in_place() && equations.softness() == 0. &&
+                  may_be_geometric && iteration >= most_without_geometric &&
+                  result.increment < near_rest &&
+                  residual.mean_ratio < near_mean_balance &&
+                  !(geometric && residual.ratio > ratio_before);
       ratio_before = residual.ratio;
-      if (turned)
+      if (geometric)
         {
-          equations.let_forces_turn(true);
+          equations.set_geometric_stiffness(true);
           equations.assemble();
         }
       solve_linear_system();
-      if (turned && (linear.singular || linear.indefinite ||
-                     LineSearch::slope(equations.system, increment) > 0.))
+      if (geometric && (linear.singular || linear.indefinite ||
+                        LineSearch::slope(equations.system, increment) > 0.))
         {
-          may_turn = turned = false;
-          equations.let_forces_turn(false);
+          may_be_geometric = geometric = false;
+          equations.set_geometric_stiffness(false);
           equations.assemble();
           solve_linear_system();
         }
@@ -99,7 +99,7 @@ namespace Heddle
       softened = softened || equations.softness() > 0.;
       if (adapted_at == iteration)
         tools.secants.forget();
-      const bool learn = rough && is_in_place() && !softened &&
+      const bool learn = nonsmooth && is_in_place() && !softened &&
                          iteration >= most_without_secants &&
                          !equations.system.has_unsymmetric_terms();
       if (learn)
@@ -116,8 +116,8 @@ namespace Heddle
       // Without it after that 576 fibers take 135 instead of 86
       // (doc/what_was_tried.md).
       linear = tools.linear_solver.solve(
-        !rough,
-        /*yarn_motions=*/!rough || equations.softness() == 0.,
+        !nonsmooth,
+        /*yarn_motions=*/!nonsmooth || equations.softness() == 0.,
         aim == Aim::calm ? looser_before_friction : 1.);
       result.linear_iterations += linear.iterations;
       result.factorizations += linear.factorizations;
@@ -173,7 +173,7 @@ namespace Heddle
       const double longest =
         is_in_place() ? std::max(1., longest_stretched_motion / motion) : 1.;
       const double taken = step_length(longest, search);
-      equations.let_forces_turn(false);
+      equations.set_geometric_stiffness(false);
       if (!is_in_place() && taken < least_part_of_step)
         {
           result.obstacle = not_arrived;

@@ -216,7 +216,7 @@ namespace Heddle
           if (block < state.n_owned_fiber_blocks())
             for (const auto &contribution : contributions)
               for (const unsigned int other :
-                   contribution->partners(fiber, node))
+                   contribution->contacting_fibers(fiber, node))
                 {
                   text += begin + std::to_string(other);
                   begin = ", ";

@@ -182,7 +182,7 @@ main(int argc, char **argv)
                     wavy_pair(angle, penetration, RandomNumbers(n)),
                     {n_intervals, n_intervals},
                     options);
-                  scene.contact->let_forces_turn(turn);
+                  scene.contact->set_geometric_stiffness(turn);
                   error[turn] += error_of_tangent(scene, random) / 8.;
                 }
             }

@@ -89,13 +89,13 @@ public:
   }
 
   bool
-  is_rough() const override
+  is_nonsmooth() const override
   {
     return true;
   }
 
   void
-  probe(System::State &) override
+  update_trial(System::State &) override
   {
     ++n_places;
   }

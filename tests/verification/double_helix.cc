@@ -85,7 +85,7 @@ public:
   using FiberContact::FiberContact;
 
   void
-  let_forces_turn(const bool) override
+  set_geometric_stiffness(const bool) override
   {
   }
 };

@@ -88,7 +88,7 @@ namespace Heddle
       update(System::State &state) override;
 
       void
-      probe(System::State &state) override
+      update_trial(System::State &state) override
       {
         place_elements(state);
       }
@@ -105,7 +105,7 @@ namespace Heddle
                System::BlockSystem &system) override;
 
       bool
-      is_rough() const override
+      is_nonsmooth() const override
       {
         return true;
       }

@@ -56,7 +56,7 @@ namespace Heddle
       begin_iteration(System::State &state) override;
 
       void
-      probe(System::State &state) override;
+      update_trial(System::State &state) override;
 
       bool
       needs_new_pattern() const override;
@@ -77,14 +77,14 @@ namespace Heddle
       }
 
       void
-      let_forces_turn(const bool wanted) override
+      set_geometric_stiffness(const bool wanted) override
       {
         forces_turn = wanted;
       }
 
-      /** Nothing is rough as long as no fibers come near each other. */
+      /** Nothing is nonsmooth as long as no fibers come near each other. */
       bool
-      is_rough() const override
+      is_nonsmooth() const override
       {
         return statistics.n_watched > 0.;
       }
@@ -110,7 +110,8 @@ namespace Heddle
 
       /** Those that touch it within an element's length of the node. */
       std::vector<unsigned int>
-      partners(const unsigned int f, const unsigned int node) const override;
+      contacting_fibers(const unsigned int f,
+                        const unsigned int node) const override;
 
       std::string
       objection(const System::State &state) const override;

@@ -59,7 +59,7 @@ namespace Heddle
       }
 
       void
-      probe(System::State &state) override;
+      update_trial(System::State &state) override;
 
       bool
       needs_new_pattern() const override;
@@ -73,9 +73,9 @@ namespace Heddle
                System::BlockSystem &system) override;
 
       bool
-      is_rough() const override
+      is_nonsmooth() const override
       {
-        return contact.is_rough();
+        return contact.is_nonsmooth();
       }
 
       std::pair<double, double>

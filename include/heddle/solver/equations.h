@@ -60,15 +60,15 @@ namespace Heddle
       double
       pending_motion();
 
-      /** Whether any term is too rough for Newton's full step. */
+      /** Whether any term is not smooth enough for Newton's full step. */
       bool
-      is_rough() const;
+      is_nonsmooth() const;
 
       /** Whether a configuration that was guessed may be gone on from. */
       bool
       is_credible() const;
 
-      /** How soft rough terms are, from 1 to 0. */
+      /** How soft nonsmooth terms are, from 1 to 0. */
       void
       set_softness(const double value);
 
@@ -78,9 +78,9 @@ namespace Heddle
         return softness_of_terms;
       }
 
-      /** Whether forces of rough terms turn in the tangent. */
+      /** Whether forces of nonsmooth terms turn in the tangent, too. */
       void
-      let_forces_turn(const bool wanted);
+      set_geometric_stiffness(const bool wanted);
 
       /** Let terms improve their guesses; whether one did. */
       bool

@@ -19,7 +19,7 @@ namespace Heddle
     /**
      * Looks along the solution of a linear system for the place where the
      * energy stops falling: smooth terms by their quadratic model, of which the
-     * tangent is known, rough ones as they are.
+     * tangent is known, nonsmooth ones as they are.
      */
     class LineSearch
     {
@@ -69,9 +69,9 @@ namespace Heddle
       static double
       raised(const System::BlockSystem &system, const double slope);
 
-      /** Slope and curvature of the rough terms in the current state. */
+      /** Slope and curvature of the nonsmooth terms in the current state. */
       std::array<double, 2>
-      rough_part() const;
+      nonsmooth_part() const;
 
       /** The whole energy after a part of the step, in its direction. */
       struct Place

@@ -14,13 +14,14 @@ namespace Heddle
     /**
      * Newton's method on the sum of all contributions.
      *
-     * Without rough terms (contact) it takes full steps, as mixed integration
-     * points want it. With them fibers are damped one by one, and steps go to
-     * where the energy stops falling. From a state that is far from equilibrium
-     * rough terms begin soft and harden in steps whenever the forces balance
-     * on average: each of these problems is nearly solved by the one before.
-     * An equilibrium that full steps have found and that is not stable is left
-     * for one that is, by steps as with rough terms from the start.
+     * Without nonsmooth terms (contact) it takes full steps, as mixed
+     * integration points want it. With them fibers are damped one by one, and
+     * steps go to where the energy stops falling. From a state that is far from
+     * equilibrium nonsmooth terms begin soft and harden in steps whenever the
+     * forces balance on average: each of these problems is nearly solved by the
+     * one before. An equilibrium that full steps have found and that is not
+     * stable is left for one that is, by steps as with nonsmooth terms from the
+     * start.
      */
     class Newton
     {

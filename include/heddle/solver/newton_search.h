@@ -39,7 +39,7 @@ namespace Heddle
     /**
      * How far to go: to equilibrium, or only until forces balance on average
      * and fibers move by little, after which friction can take over; or from
-     * there to equilibrium, where rough terms are not softened again.
+     * there to equilibrium, where nonsmooth terms are not softened again.
      */
     enum class Aim
     {
@@ -125,7 +125,7 @@ namespace Heddle
       bool
       is_held() const
       {
-        return rough || guarded;
+        return nonsmooth || guarded;
       }
 
       /** Whether the tangent of what is in balance has negative eigenvalues.
@@ -133,7 +133,7 @@ namespace Heddle
       bool
       is_unstable();
 
-      /** Where the iteration is calm rough terms harden or adapt. */
+      /** Where the iteration is calm nonsmooth terms harden or adapt. */
       void
       harden_or_adapt();
 
@@ -185,14 +185,14 @@ namespace Heddle
       bool                      guessed = false; /**< it was followed */
       unsigned int              limit; /**< the last iteration allowed */
 
-      bool   rough        = false; /**< any term, in this iteration */
-      bool   calm         = false; /**< little moves, in this iteration */
-      bool   guarded      = false; /**< held back though nothing touches */
-      bool   softened     = false; /**< rough terms have been soft */
-      bool   may_turn     = true;  /**< forces of contact, in the tangent */
-      bool   turned       = false; /**< they do, in this iteration */
-      double ratio_before = 0.;    /**< of the residual, an iteration ago */
-      double wanted       = 0.;    /**< by the last system, in radii */
+      bool   nonsmooth        = false; /**< any term, in this iteration */
+      bool   calm             = false; /**< little moves, in this iteration */
+      bool   guarded          = false; /**< held back though nothing touches */
+      bool   softened         = false; /**< nonsmooth terms have been soft */
+      bool   may_be_geometric = true;  /**< contact, in the tangent */
+      bool   geometric        = false; /**< it is, in this iteration */
+      double ratio_before     = 0.;    /**< of the residual, an iteration ago */
+      double wanted           = 0.;    /**< by the last system, in radii */
 
       unsigned int adapted_at = 0; /**< the last iteration that terms did */
       unsigned int n_pending  = 0; /**< with little left of prescribed motion */

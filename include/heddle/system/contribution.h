@@ -86,7 +86,7 @@ namespace Heddle
        * searched stays, and so do the ghosts.
        */
       virtual void
-      probe(State &)
+      update_trial(State &)
       {
       }
 
@@ -159,7 +159,7 @@ namespace Heddle
       }
 
       /**
-       * From 1 down to 0: a rough term may be so much smoother than it is,
+       * From 1 down to 0: a nonsmooth term may be so much smoother than it is,
        * while the iteration is on its way. Equilibrium is judged at 0.
        */
       virtual void
@@ -168,21 +168,21 @@ namespace Heddle
       }
 
       /**
-       * Whether the tangent of a rough term has the part that its forces turn
-       * by, which close to equilibrium makes it exact, and may make it
+       * Whether the tangent of a nonsmooth term has the part that its forces
+       * turn by, which close to equilibrium makes it exact, and may make it
        * indefinite.
        */
       virtual void
-      let_forces_turn(const bool)
+      set_geometric_stiffness(const bool)
       {
       }
 
       /**
-       * Whether this term is too rough for Newton's full step: then the solver
-       * looks for a shorter one with the help of slope_and_curvature().
+       * Whether this term is not smooth enough for Newton's full step: then the
+       * solver looks for a shorter one with the help of slope_and_curvature().
        */
       virtual bool
-      is_rough() const
+      is_nonsmooth() const
       {
         return false;
       }
@@ -190,7 +190,7 @@ namespace Heddle
       /**
        * Local part of the derivative of this term's energy along @p increment
        * in the current configuration, and of its second derivative by the
-       * tangent. Asked of rough terms only, without assembly.
+       * tangent. Asked of nonsmooth terms only, without assembly.
        */
       virtual std::pair<double, double>
       slope_and_curvature(const State &, const Increment &) const
@@ -223,7 +223,7 @@ namespace Heddle
        * its @p node. Local.
        */
       virtual std::vector<unsigned int>
-      partners(const unsigned int, const unsigned int) const
+      contacting_fibers(const unsigned int, const unsigned int) const
       {
         return {};
       }
