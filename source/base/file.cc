@@ -42,6 +42,10 @@ namespace Heddle
             const std::string &what,
             const MPI_Comm     communicator)
   {
+    // Whoever reads before MPI starts is alone.
+    if (!Utilities::MPI::job_supports_mpi())
+      return read_file(name, what);
+
     const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
     std::string text;
     throw_together(

@@ -5,10 +5,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
-#include <boost/serialization/array.hpp>
-#include <boost/serialization/unordered_map.hpp>
-
 #include <algorithm>
+#include <numeric>
 
 namespace Heddle
 {
@@ -22,6 +20,11 @@ namespace Heddle
        * (doc/what_was_tried.md).
        */
       constexpr unsigned int station_distance = 5;
+
+
+
+      /** Two stations and the entries of the block between them. */
+      constexpr unsigned int numbers_of_block = 11;
     } // namespace
 
 
@@ -325,19 +328,54 @@ namespace Heddle
 
 
 
+    std::vector<double>
+    YarnMotions::gather(const CoarseBlocks &coarse) const
+    {
+      std::vector<double> mine;
+      mine.reserve(numbers_of_block * coarse.size());
+      for (const auto &block : coarse)
+        {
+          mine.push_back(block.first / n_all_stations);
+          mine.push_back(block.first % n_all_stations);
+          mine.insert(mine.end(), block.second.begin(), block.second.end());
+        }
+      const MPI_Comm communicator = state.space.communicator();
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return mine;
+
+      const std::vector<int> sizes =
+        Utilities::MPI::all_gather(communicator, static_cast<int>(mine.size()));
+      std::vector<int> begins(sizes.size(), 0);
+      std::partial_sum(sizes.begin(), sizes.end() - 1, begins.begin() + 1);
+      std::vector<double> all(begins.back() + sizes.back());
+      const int           ierr = MPI_Allgatherv(mine.data(),
+                                      mine.size(),
+                                      MPI_DOUBLE,
+                                      all.data(),
+                                      sizes.data(),
+                                      begins.data(),
+                                      MPI_DOUBLE,
+                                      communicator);
+      AssertThrowMPI(ierr);
+      return all;
+    }
+
+
+
     void
     YarnMotions::factorize(const CoarseBlocks &coarse)
     {
       // All ranks add in the same order, and so hold the same factors, which
       // are computed from the lower half.
+      const std::vector<double>           blocks = gather(coarse);
       std::vector<Eigen::Triplet<double>> entries;
-      for (const CoarseBlocks &part :
-           Utilities::MPI::all_gather(state.space.communicator(), coarse))
-        for (const auto &block : part)
-          for (unsigned int k = 0; k < 9; ++k)
-            entries.emplace_back(3 * (block.first / n_all_stations) + k % 3,
-                                 3 * (block.first % n_all_stations) + k / 3,
-                                 block.second[k]);
+      entries.reserve(blocks.size() / numbers_of_block * 9);
+      for (auto block = blocks.begin(); block != blocks.end();
+           block += numbers_of_block)
+        for (unsigned int k = 0; k < 9; ++k)
+          entries.emplace_back(3 * static_cast<int>(block[0]) + k % 3,
+                               3 * static_cast<int>(block[1]) + k / 3,
+                               block[2 + k]);
       Eigen::SparseMatrix<double> system(values.size(), values.size());
       system.setFromTriplets(entries.begin(), entries.end());
       factorization.compute(system);

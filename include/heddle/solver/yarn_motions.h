@@ -110,6 +110,13 @@ namespace Heddle
       void
       project_remote(Mat tangent, CoarseBlocks &coarse) const;
 
+      /**
+       * The blocks of all ranks, one after the other: two stations and nine
+       * entries each. @note Collective.
+       */
+      std::vector<double>
+      gather(const CoarseBlocks &coarse) const;
+
       /** Factorize the sum over all ranks. */
       void
       factorize(const CoarseBlocks &coarse);
