@@ -3,7 +3,13 @@
 // EA: what is missing falls from its end on over 1/b = R sqrt(pi E_f / E_m),
 // 17.7 R for a ratio of 100 and 56.0 R for 1000. The slender element bends when
 // its strain changes: there b^2 (1 - (bR/2)^2) = E_m / EA.
-// Errors and orders are printed to the screen; compared are bounds.
+//
+// A fiber that leaves a rigid matrix by a is pulled by F at its end by
+// F / sqrt(k EA) / tanh(bL) + F a / EA, and across, as a beam on springs with
+// beta^4 = k / 4EI, by w + theta a + F a^3 / 3EI, where w = 2 beta (F + beta F
+// a) / k and theta = 2 beta^2 (F + 2 beta F a) / k (M. Hetenyi 1946): wherever
+// its nodes lie. Errors and orders are printed to the screen; compared are
+// bounds.
 #include "composite.h"
 
 constexpr double radius = 0.1;
@@ -54,6 +60,89 @@ transfer_length(const std::string &element,
 
 
 
+/**
+ * Worst errors of the motion of the end, along and across, relative, with
+ * elements of 1/n mm. Nodes lie on the surface, just outside, half way, and
+ * just within.
+ */
+std::pair<double, double>
+pulled_out(const std::string &element, const unsigned int n)
+{
+  constexpr double modulus = 1e5, k = 100., along = 1e-3, across = 1e-6;
+  const double     EA          = modulus * numbers::PI * radius * radius;
+  const double     EI          = 0.25 * EA * radius * radius;
+  double           worst_along = 0., worst_across = 0.;
+  for (const double offset : {0., 0.02 / n, 0.5 / n, 0.98 / n})
+    {
+      Composite scene(mesh(20, 1, Tensor<1, 3>({20., 1., 1.})) +
+                      " set Youngs modulus = 100\n");
+      scene.fibers.element_name                                     = element;
+      scene.fibers.material.axial_modulus                           = modulus;
+      scene.fibers.material.poisson_ratio                           = 0.;
+      scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"}).displacement = {
+        {"0", "0", "0"}};
+      // Nothing else keeps the fiber from turning about its axis.
+      auto &held       = scene.add_support();
+      held.nodes.nodes = "first end";
+      held.section     = "held";
+      auto &load       = scene.add_load();
+      load.nodes.nodes = "last end";
+      load.force       = {
+              {std::to_string(along), "0", "0.001*" + std::to_string(along)}};
+      scene.embed({straight_path(Tensor<1, 3>({offset, 0.5, 0.5}),
+                                 Tensor<1, 3>({21. + offset, 0.5, 0.5}),
+                                 21 * n + 1,
+                                 radius)});
+      scene.newton.residual_tolerance  = 1e-9;
+      scene.newton.increment_tolerance = 1e-9;
+      scene.step(1.);
+
+      const double a = 1. + offset, b = std::sqrt(k / EA),
+                   beta = std::pow(k / (4. * EI), 0.25);
+      const double u =
+        along *
+        (1. / (std::sqrt(k * EA) * std::tanh(b * (20. - offset))) + a / EA);
+      const double w =
+        across * (2. * beta / k * (1. + beta * a) +
+                  2. * beta * beta / k * (1. + 2. * beta * a) * a +
+                  a * a * a / (3. * EI));
+      const Tensor<1, 3> end = scene.block(0, scene.last_node());
+      worst_along =
+        std::max(worst_along, std::abs((end[0] - 21. - offset) / u - 1.));
+      worst_across = std::max(worst_across, std::abs((end[2] - 0.5) / w - 1.));
+    }
+  return {worst_along, worst_across};
+}
+
+
+
+/** Errors as bounds; the element with sections shears, which w leaves out. */
+void
+leave_matrix(const std::string &element)
+{
+  const std::string         what   = element + " that leaves the matrix";
+  std::pair<double, double> coarse = {0., 0.}, fine = {0., 0.};
+  for (const unsigned int n : {2, 4, 8})
+    {
+      coarse = fine;
+      fine   = pulled_out(element, n);
+      print(what + ", along", n, fine.first);
+      print(what + ", across", n, fine.second);
+    }
+  const double along  = std::log2(coarse.first / fine.first),
+               across = std::log2(coarse.second / fine.second);
+  print(what + ", orders, along", 8, along);
+  print(what + ", orders, across", 8, across);
+  deallog << what << ", along: 0.02 % " << (fine.first < 2e-4)
+          << ", order at least 1.8 " << (along > 1.8);
+  if (element == "hermite")
+    deallog << ", across: 2 % " << (fine.second < 0.02)
+            << ", order at least 1.8 " << (across > 1.8);
+  deallog << std::endl;
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -83,4 +172,6 @@ main(int argc, char **argv)
                 << ", order at least 1.9 " << (order > 1.9 || fine < 1e-5)
                 << std::endl;
       }
+  for (const std::string element : {"hermite", "director"})
+    leave_matrix(element);
 }
