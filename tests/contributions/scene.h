@@ -83,8 +83,7 @@ public:
       *space, reference, support_list));
     contributions.push_back(
       std::make_shared<Contributions::Loads>(*space, reference, load_list));
-    solver = std::make_unique<Solver::Newton>(
-      newton, linear, MPI_COMM_WORLD, log, timer, stop);
+    solver = std::make_unique<Solver::Newton>(newton, linear, log, timer, stop);
   }
 
   Solver::NewtonResult
