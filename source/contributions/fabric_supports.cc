@@ -344,9 +344,7 @@ namespace Heddle
           const std::string begin = name() + "/" + direction_names[i];
           last.length[i]          = archive.read_number(begin + " length");
           last.force[i]           = archive.read_number(begin + " force");
-          // Older checkpoints do not have it.
-          if (archive.has(begin + " matrix force"))
-            last.matrix_force[i] = archive.read_number(begin + " matrix force");
+          last.matrix_force[i] = archive.read_number(begin + " matrix force");
         }
       last.angle  = archive.read_number(name() + "/shear angle");
       last.couple = archive.read_number(name() + "/shear couple");

@@ -31,8 +31,9 @@ namespace Heddle
                     Patterns::Double(1e-6));
       add_parameter("Coupling points per element",
                     points_per_element,
-                    "Links in each element of a fiber; 0: one in each node "
-                    "[-].",
+                    "Links in each element of a fiber; 0: one in each node, "
+                    "and two in the part of an interval between nodes that "
+                    "leaves the matrix [-].",
                     prm,
                     Patterns::Integer(0, 5));
       add_parameter("Subtract fiber volume",

@@ -214,19 +214,13 @@ namespace Heddle
     void
     LoadStepping::load(const ArchiveReader &archive)
     {
-      last = archive.read_number("load stepping/reached");
-      // Older checkpoints do not have it, and no step to 0 either.
-      begun = archive.has("load stepping/begun")
-                ? archive.read_number("load stepping/begun") > 0.
-                : last > 0.;
+      last  = archive.read_number("load stepping/reached");
+      begun = archive.read_number("load stepping/begun") > 0.;
       step =
         std::min(archive.read_number("load stepping/step"), plan.largest_step);
       uncut =
         std::min(archive.read_number("load stepping/uncut"), plan.largest_step);
-      // Older checkpoints do not have it: as if it were here.
-      failed   = archive.has("load stepping/failed")
-                   ? archive.read_number("load stepping/failed")
-                   : last;
+      failed   = archive.read_number("load stepping/failed");
       n_good   = archive.read_number("load stepping/n_good");
       patience = archive.read_number("load stepping/patience");
     }

@@ -52,7 +52,6 @@ namespace Heddle
       void
       save(ArchiveWriter &archive) const;
 
-      /** Older archives do not have it: it counts from the next step then. */
       void
       load(const ArchiveReader &archive);
 
