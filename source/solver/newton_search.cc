@@ -141,9 +141,7 @@ namespace Heddle
     void
     NewtonSearch::measure()
     {
-      equations.prepare();
-      equations.assemble();
-      residual  = equations.judge();
+      evaluate();
       nonsmooth = equations.is_nonsmooth();
       if (nonsmooth && iteration == 0 && !guessed &&
           aim != Aim::equilibrium_after_calm &&
@@ -151,15 +149,23 @@ namespace Heddle
         {
           equations.set_softness(1.);
           tools.damping.reset(/*in_motion=*/true);
-          equations.prepare();
-          equations.assemble();
-          residual = equations.judge();
+          evaluate();
         }
       calm = nonsmooth && iteration > 0 &&
              result.increment < calmness(aim).motion &&
              residual.mean_ratio < calmness(aim).mean_ratio;
       result.residual_ratio = residual.ratio;
       result.iterations     = iteration;
+    }
+
+
+
+    void
+    NewtonSearch::evaluate()
+    {
+      equations.prepare();
+      equations.assemble();
+      residual = equations.judge();
     }
 
 

@@ -91,7 +91,12 @@ namespace Heddle
         ended
       };
 
-      /** Prepare, assemble and judge the current configuration. */
+      /** Prepare, assemble and judge the terms as they are. */
+      void
+      evaluate();
+
+      /** The same of a new configuration, in which terms may have to begin
+       * soft, and what follows from it for this iteration. */
       void
       measure();
 
