@@ -1,4 +1,5 @@
 #include <heddle/base/reduce.h>
+#include <heddle/base/yarn_set.h>
 #include <heddle/contributions/fabric_supports.h>
 
 #include <array>
@@ -16,7 +17,7 @@ namespace Heddle
       constexpr unsigned int n_directions = 2, n_sides = 4;
 
       const std::array<std::string, n_directions> direction_names = {
-        {"warp", "weft"}};
+        {word(YarnSet::warp), word(YarnSet::weft)}};
 
       /** Strains, and angles, closer than this are the same [-]. */
       constexpr double same_strain = 1e-12;
@@ -76,7 +77,7 @@ namespace Heddle
       std::array<std::set<unsigned int>, n_sides> nodes;
       if (state.matrix())
         for (unsigned int side = 0; side < n_sides; ++side)
-          if (test.supports[side]->displacement[side / 2] != "free")
+          if (!test.supports[side]->is_free(side / 2))
             {
               const auto on_side = state.matrix()->nodes_on_side(side);
               nodes[side].insert(on_side.begin(), on_side.end());

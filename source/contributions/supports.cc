@@ -41,11 +41,12 @@ namespace Heddle
         {
           Motion motion;
           for (unsigned int d = 0; d < 3; ++d)
-            if (support->displacement[d] != "free")
+            if (!support->is_free(d))
               motion.displacement[d] = std::make_unique<Expression>(
                 support->displacement[d],
                 support->entry(std::string("Displacement ") + "xyz"[d]));
-          if (support->section == "turned" || support->yarns_are_bodies)
+          if (support->section == SupportedSection::turned ||
+              support->yarns_are_bodies)
             {
               motion.angle = std::make_unique<Expression>(
                 support->angle, support->entry("Turn angle"));

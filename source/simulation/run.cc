@@ -201,7 +201,7 @@ namespace Heddle
         if (!overlap.empty())
           log << "\nNote           " << overlap;
         if (parameters.matrix.enabled &&
-            parameters.matrix.material.law == "linear" &&
+            parameters.matrix.material.law == Solid::MaterialLaw::linear &&
             parameters.fabric_loading.largest_shear_angle() > large_angle)
           log << "\nNote           Matrix/Law is linear, which takes turns for "
                  "strains: under such shear another one is right";

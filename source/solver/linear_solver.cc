@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/base/petsc.h>
 #include <heddle/solver/linear_solver.h>
 
@@ -123,16 +124,15 @@ namespace Heddle
     LinearSolverParameters::LinearSolverParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter("Kind",
-                    kind,
-                    "'direct': sparse factorization by MUMPS. 'fiber blocks': "
-                    "conjugate gradients preconditioned by a factorization of "
-                    "each fiber, a correction of how parts of yarns move and, "
-                    "in a matrix, a sweep of Gauss and Seidel over its nodes. "
-                    "With friction GMRES follows where these leave too much. "
-                    "'automatic': direct for few unknowns [-].",
-                    prm,
-                    Patterns::Selection("automatic|direct|fiber blocks"));
+      add_choice(*this,
+                 "Kind",
+                 kind,
+                 "'direct': sparse factorization by MUMPS. 'fiber blocks': "
+                 "conjugate gradients preconditioned by a factorization of "
+                 "each fiber, a correction of how parts of yarns move and, "
+                 "in a matrix, a sweep of Gauss and Seidel over its nodes. "
+                 "With friction GMRES follows where these leave too much. "
+                 "'automatic': direct for few unknowns [-].");
       add_parameter("Tolerance",
                     tolerance,
                     "Reduction of the residual's energy norm by an iterative "

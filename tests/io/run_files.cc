@@ -140,7 +140,9 @@ checkpoints()
   const auto read_as =
     [&](const std::vector<Heddle::System::FiberSpace::Description> &fibers) {
       const Heddle::System::FiberSpace space(
-        MPI_COMM_WORLD, Heddle::Beam::make_element("hermite", 3), fibers);
+        MPI_COMM_WORLD,
+        Heddle::Beam::make_element(Heddle::Beam::ElementKind::hermite, 3),
+        fibers);
       Heddle::System::State state(space);
       Checkpoint(space, directory, 2).read(last, state, nothing_read);
     };

@@ -18,6 +18,32 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** How linear systems are solved. */
+    enum class LinearSolverKind
+    {
+      automatic,   /**< direct for few unknowns */
+      direct,      /**< sparse factorization */
+      fiber_blocks /**< conjugate gradients */
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const LinearSolverKind kind)
+    {
+      switch (kind)
+        {
+          case LinearSolverKind::automatic:
+            return "automatic";
+          case LinearSolverKind::direct:
+            return "direct";
+          case LinearSolverKind::fiber_blocks:
+            return "fiber blocks";
+        }
+      return nullptr;
+    }
+
+
+
     class LinearSolverParameters : public ParameterAcceptor
     {
     public:
@@ -35,13 +61,23 @@ namespace Heddle
         const unsigned int below = contact  ? direct_below_with_contact
                                    : matrix ? direct_below_in_matrix
                                             : direct_below;
-        return kind == "direct" || (kind == "automatic" && n_dofs < below);
+        switch (kind)
+          {
+            case LinearSolverKind::automatic:
+              return n_dofs < below;
+            case LinearSolverKind::direct:
+              return true;
+            case LinearSolverKind::fiber_blocks:
+              return false;
+          }
+        Assert(false, ExcInternalError());
+        return false;
       }
 
-      std::string  kind           = "automatic";
-      double       tolerance      = 0.03;
-      unsigned int max_iterations = 400;
-      unsigned int direct_below   = 15000;
+      LinearSolverKind kind           = LinearSolverKind::automatic;
+      double           tolerance      = 0.03;
+      unsigned int     max_iterations = 400;
+      unsigned int     direct_below   = 15000;
 
       unsigned int direct_below_in_matrix    = 100000;
       unsigned int direct_below_with_contact = 2500;
