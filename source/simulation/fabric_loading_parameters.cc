@@ -220,10 +220,18 @@ namespace Heddle
     std::vector<double>
     FabricLoadingParameters::numbers() const
     {
-      if (is_shear())
-        return shear_angles;
-      return kind == FabricTest::biaxial_tension ? strain_ratios
-                                                 : std::vector<double>{1.};
+      switch (kind)
+        {
+          case FabricTest::biaxial_tension:
+            return strain_ratios;
+          case FabricTest::picture_frame:
+          case FabricTest::simple_shear:
+            return shear_angles;
+          case FabricTest::none:
+          case FabricTest::uniaxial_tension:
+            break;
+        }
+      return {1.};
     }
 
 
@@ -231,10 +239,20 @@ namespace Heddle
     std::string
     FabricLoadingParameters::name(const double number) const
     {
-      if (kind == FabricTest::biaxial_tension)
-        return "biaxial " + number_text(number, 6);
-      return is_shear() ? std::string(word(kind)) + " " + number_text(number, 6)
-                        : std::string("uniaxial ") + word(direction);
+      const std::string value = " " + number_text(number, 6);
+      switch (kind)
+        {
+          case FabricTest::biaxial_tension:
+            return "biaxial" + value;
+          case FabricTest::uniaxial_tension:
+            return std::string("uniaxial ") + word(direction);
+          case FabricTest::picture_frame:
+          case FabricTest::simple_shear:
+            return word(kind) + value;
+          case FabricTest::none:
+            break;
+        }
+      return "";
     }
 
 
