@@ -24,7 +24,7 @@ void
 summary_and_history()
 {
   Heddle::IO::Summary summary;
-  summary.status        = Heddle::IO::Summary::Status::not_converged;
+  summary.status        = Heddle::IO::Status::not_converged;
   summary.reason        = "The step fell below 1e-4 in the stage \"settle\".";
   summary.n_fibers      = 28;
   summary.n_fiber_nodes = 700;
@@ -34,7 +34,7 @@ summary_and_history()
 
   Heddle::IO::StageSummary stage;
   stage.name                  = "settle";
-  stage.status                = "not converged";
+  stage.status                = Heddle::IO::Status::not_converged;
   stage.steps                 = 3;
   stage.newton_iterations     = 21;
   stage.contact_elements      = 900;
