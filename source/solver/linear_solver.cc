@@ -240,15 +240,13 @@ namespace Heddle
 
 
     LinearResult
-    LinearSolver::solve(const bool   exactly,
-                        const bool   yarn_motions,
-                        const double looser)
+    LinearSolver::solve(const LinearTask &task)
     {
       LinearResult result;
       if (!parameters.direct(system.state.n_dofs(),
-                             /*contact=*/!exactly,
+                             /*contact=*/!task.exactly,
                              /*matrix=*/system.state.matrix() != nullptr) &&
-          (iterate(exactly, yarn_motions, looser, result) || !exactly))
+          (iterate(task, result) || !task.exactly))
         return result;
       factorize(result);
       return result;
@@ -257,23 +255,20 @@ namespace Heddle
 
 
     bool
-    LinearSolver::iterate(const bool    exactly,
-                          const bool    yarn_motions,
-                          const double  looser,
-                          LinearResult &result)
+    LinearSolver::iterate(const LinearTask &task, LinearResult &result)
     {
       if (!iterating)
         begin_iterating();
-      preconditioner->set_up(system, yarn_motions, gentle);
-      const PetscInt most = exactly && !system.state.matrix()
+      preconditioner->set_up(system, task.yarn_motions, gentle);
+      const PetscInt most = task.exactly && !system.state.matrix()
                               ? std::min(most_by_themselves, max_iterations)
                               : max_iterations;
       petsc(KSPSetOperators(iterating,
                             system.has_couplings_apart() ? symmetric.matrix()
                                                          : system.tangent(),
                             system.tangent()));
-      const bool converged =
-        run(iterating, std::min(looser * tolerance, loosest), most, result);
+      const bool converged = run(
+        iterating, std::min(task.looser * tolerance, loosest), most, result);
       // That a tangent is not positive definite is not the preconditioner's
       // fault.
       gentle = gentle || !(converged || result.indefinite);

@@ -300,8 +300,7 @@ namespace Heddle
       equations.assemble();
       tools.damping.add_to(equations.system, equations.state, least_stiffness);
       equations.system.end();
-      const bool unstable =
-        tools.linear_solver.solve(/*exactly=*/true).indefinite;
+      const bool unstable = tools.linear_solver.solve().indefinite;
       equations.assemble(System::BlockSystem::Want::residual);
       return unstable;
     }

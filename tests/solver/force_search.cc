@@ -114,7 +114,7 @@ examine(System::State &state, const std::string &kind, const Push &like)
   parameters.kind      = choice<Solver::LinearSolverKind>(kind);
   parameters.tolerance = 1e-8;
   Solver::LinearSolver solver(parameters, system);
-  const auto           result = solver.solve(/*exactly=*/false);
+  const auto           result = solver.solve({/*exactly=*/false});
   System::Increment    increment;
   system.extract_increment(increment);
 

@@ -248,7 +248,7 @@ Numbers
 solution(const Crossing &scene, const System::BlockSystem &system)
 {
   Solver::LinearSolver solver(scene.linear, system);
-  solver.solve(/*exactly=*/false);
+  solver.solve({/*exactly=*/false});
   return entries(system.solution());
 }
 

@@ -185,7 +185,7 @@ solve(const std::string         &kind,
   parameters.kind      = Heddle::choice<Heddle::Solver::LinearSolverKind>(kind);
   parameters.tolerance = 1e-10;
   Solver::LinearSolver solver(parameters, system);
-  result = solver.solve(/*exactly=*/false);
+  result = solver.solve({/*exactly=*/false});
   Motion motion;
   system.extract_increment(motion);
   return motion;

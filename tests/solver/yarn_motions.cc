@@ -116,7 +116,7 @@ main(int argc, char **argv)
       Yarns      lone(element, /*alone=*/true);
       const auto solve = [](Yarns &scene) {
         Solver::LinearSolver solver(scene.linear, *scene.system);
-        return solver.solve(/*exactly=*/false).iterations;
+        return solver.solve({/*exactly=*/false}).iterations;
       };
       const unsigned int together = solve(yarns), apart = solve(lone);
 
