@@ -75,13 +75,14 @@ main(int argc, char **argv)
   for (const std::string text : {"dark blue", " none ", "blue"})
     try
       {
-        deallog << "\"" << text << "\" is number "
-                << static_cast<int>(Heddle::choice<Color>(text)) << std::endl;
+        const Color color = Heddle::choice<Color>(text);
+        deallog << "\"" << text << "\" is number " << static_cast<int>(color)
+                << std::endl;
       }
     catch (const ExceptionBase &error)
       {
         std::ostringstream sentence;
         error.print_info(sentence);
-        deallog << sentence.str() << std::endl;
+        deallog << "refused: " << sentence.str() << std::flush;
       }
 }
