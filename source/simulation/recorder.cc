@@ -84,7 +84,6 @@ namespace Heddle
     {
       summary.n_fibers      = scene.space().n_fibers();
       summary.n_fiber_nodes = scene.space().n_nodes();
-      summary.n_dofs        = scene.space().n_dofs();
       summary.ranks =
         Utilities::MPI::n_mpi_processes(scene.space().communicator());
       summary.contributions = scene.contribution_names();
@@ -197,7 +196,6 @@ namespace Heddle
     void
     Recorder::begin_stage(const unsigned int stage)
     {
-      summary.n_dofs = scene.state().n_dofs();
       if (stage == summary.stages.size())
         {
           summary.stages.emplace_back();
@@ -480,6 +478,8 @@ namespace Heddle
     Recorder::write_summary()
     {
       update_times();
+      // A matrix is there when a stage with loads has begun.
+      summary.n_dofs = scene.state().n_dofs();
       if (const Matrix *matrix = scene.matrix())
         summary.matrix = {matrix->sizes().n_cells,
                           matrix->sizes().n_nodes,
