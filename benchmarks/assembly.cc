@@ -2,6 +2,7 @@
 // operations that residual, tangent and energy take, and against how fast this
 // core multiplies matrices. The driver benchmarks/assembly builds and runs it.
 
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/simulation/fiber_placement.h>
 
@@ -130,7 +131,7 @@ namespace
           const double       small)
   {
     Simulation::FiberParameters parameters("/" + kind + std::to_string(degree));
-    parameters.element_name = kind;
+    parameters.element_kind = choice<Beam::ElementKind>(kind);
     parameters.degree       = degree;
 
     std::vector<Textile::FiberPath> paths;

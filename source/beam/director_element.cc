@@ -177,10 +177,10 @@ namespace Heddle
 
 
     template <int degree>
-    std::string
-    DirectorElement<degree>::name() const
+    ElementKind
+    DirectorElement<degree>::kind() const
     {
-      return "director";
+      return ElementKind::director;
     }
 
 

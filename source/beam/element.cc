@@ -23,6 +23,26 @@ namespace Heddle
         sentence << what << ", but it is " << value << '.';
         throw InputError(sentence.str());
       }
+
+
+
+      std::unique_ptr<Element>
+      make_director_element(const unsigned int degree)
+      {
+        switch (degree)
+          {
+            case 1:
+              return std::make_unique<DirectorElement<1>>();
+            case 2:
+              return std::make_unique<DirectorElement<2>>();
+            case 3:
+              return std::make_unique<DirectorElement<3>>();
+            default:
+              throw InputError("The fiber element \"director\" has the degree "
+                               "1, 2 or 3, not " +
+                               std::to_string(degree) + ".");
+          }
+      }
     } // namespace
 
 
@@ -65,26 +85,17 @@ namespace Heddle
 
 
     std::unique_ptr<Element>
-    make_element(const std::string &name, const unsigned int degree)
+    make_element(const ElementKind kind, const unsigned int degree)
     {
-      if (name == "hermite")
-        return std::make_unique<HermiteElement>();
-      if (name != "director")
-        throw InputError("There is no fiber element \"" + name +
-                         "\": choose \"hermite\" or \"director\".");
-      switch (degree)
+      switch (kind)
         {
-          case 1:
-            return std::make_unique<DirectorElement<1>>();
-          case 2:
-            return std::make_unique<DirectorElement<2>>();
-          case 3:
-            return std::make_unique<DirectorElement<3>>();
-          default:
-            throw InputError("The fiber element \"director\" has the degree "
-                             "1, 2 or 3, not " +
-                             std::to_string(degree) + ".");
+          case ElementKind::hermite:
+            return std::make_unique<HermiteElement>();
+          case ElementKind::director:
+            return make_director_element(degree);
         }
+      Assert(false, ExcInternalError());
+      return nullptr;
     }
   } // namespace Beam
 } // namespace Heddle

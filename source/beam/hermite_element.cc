@@ -277,10 +277,10 @@ namespace Heddle
 
 
 
-    std::string
-    HermiteElement::name() const
+    ElementKind
+    HermiteElement::kind() const
     {
-      return "hermite";
+      return ElementKind::hermite;
     }
 
 

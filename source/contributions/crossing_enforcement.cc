@@ -201,24 +201,27 @@ namespace Heddle
     void
     CrossingEnforcement::gather_statistics()
     {
-      std::array<double, 3> sums    = {};
-      std::array<double, 1> largest = {};
+      struct
+      {
+        double n = 0., force = 0., energy = 0.;
+      } sums;
+      deepest = 0.;
       for (const Element &element : elements)
         if (element.own)
           {
-            sums[0] += 1.;
-            sums[1] += element.force();
-            sums[2] += element.law.energy(element.penalty, element.penetration);
-            largest[0] = std::max(largest[0],
-                                  element.penetration * transition /
-                                    element.law.transition);
+            sums.n += 1.;
+            sums.force += element.force();
+            sums.energy +=
+              element.law.energy(element.penalty, element.penetration);
+            deepest = std::max(deepest,
+                               element.penetration * transition /
+                                 element.law.transition);
           }
       sum_over_ranks(sums, space.communicator());
-      max_over_ranks(largest, space.communicator());
-      n_overlapping = sums[0];
-      mean_force    = n_overlapping > 0. ? sums[1] / n_overlapping : 0.;
-      energy        = sums[2];
-      deepest       = largest[0];
+      max_over_ranks(deepest, space.communicator());
+      n_overlapping = sums.n;
+      mean_force    = n_overlapping > 0. ? sums.force / n_overlapping : 0.;
+      energy        = sums.energy;
     }
 
 

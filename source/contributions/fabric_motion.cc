@@ -8,6 +8,51 @@ namespace Heddle
 {
   namespace Contributions
   {
+    namespace
+    {
+      const std::string fabric_ramp = "Fabric loading: \"Ramp\"";
+
+
+
+      /** "(0.02)*(t)": a number times the ramp. */
+      std::string
+      times_ramp(const double value, const std::string &ramp)
+      {
+        std::ostringstream text;
+        text << '(' << std::setprecision(17) << value << ")*(" << ramp << ')';
+        return text.str();
+      }
+
+
+
+      /** Formulas of t: the components along x and y of both directions. */
+      FabricMotion::Both<FabricMotion::Both<std::string>>
+      direction_formulas(const FabricMotion::Shear shear,
+                         const double              angle,
+                         const std::string        &ramp)
+      {
+        if (angle == 0.)
+          return {{{{"1", "0"}}, {{"0", "1"}}}};
+        switch (shear)
+          {
+            case FabricMotion::Shear::picture_frame:
+              {
+                const std::string half =
+                  "(" + times_ramp(0.5 * angle, ramp) + ")";
+                const std::string cosine = "cos" + half, sine = "sin" + half;
+                return {{{{cosine, sine}}, {{sine, cosine}}}};
+              }
+            case FabricMotion::Shear::simple:
+              return {{{{"1", "0"}},
+                       {{"tan(" + times_ramp(angle, ramp) + ")", "1"}}}};
+          }
+        Assert(false, ExcInternalError());
+        return {};
+      }
+    } // namespace
+
+
+
     FabricMotion::FabricMotion(const Both<double> &strains,
                                const double        shear_angle,
                                const Shear         shear,
@@ -16,19 +61,12 @@ namespace Heddle
       , angle(shear_angle)
       , shear(shear)
       , ramp_text(ramp)
-      , ramp(ramp, "Fabric loading: \"Ramp\"")
+      , ramp(ramp, fabric_ramp)
+      , formulas(direction_formulas(shear, shear_angle, ramp))
     {
-    }
-
-
-
-    std::string
-    FabricMotion::times_ramp(const double value) const
-    {
-      std::ostringstream text;
-      text << '(' << std::setprecision(17) << value << ")*(" << ramp_text
-           << ')';
-      return text.str();
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int d = 0; d < 2; ++d)
+          components[i].emplace_back(formulas[i][d], fabric_ramp);
     }
 
 
@@ -36,16 +74,27 @@ namespace Heddle
     FabricMotion::Both<std::string>
     FabricMotion::displacements() const
     {
-      const std::string x = "x*(1+" + times_ramp(strains[0]) + ")";
-      const std::string y = "y*(1+" + times_ramp(strains[1]) + ")";
-      if (angle == 0.)
-        return {{times_ramp(strains[0]) + "*x", times_ramp(strains[1]) + "*y"}};
-      if (shear == Shear::simple)
-        return {{x + "-x+" + y + "*tan(" + times_ramp(angle) + ")", y + "-y"}};
-      const std::string cosine = "*cos(" + times_ramp(0.5 * angle) + ")",
-                        sine   = "*sin(" + times_ramp(0.5 * angle) + ")";
-      return {
-        {x + cosine + "-x+" + y + sine, x + sine + "+" + y + cosine + "-y"}};
+      const auto stretched = [&](const unsigned int i) {
+        return std::string(1, "xy"[i]) + "*(1+" +
+               times_ramp(strains[i], ramp_text) + ")";
+      };
+      Both<std::string> result;
+      for (unsigned int d = 0; d < 2; ++d)
+        if (angle == 0.)
+          // Nothing is subtracted from what it is nearly equal to.
+          result[d] = times_ramp(strains[d], ramp_text) + "*" + "xy"[d];
+        else
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              if (formulas[i][d] == "0")
+                continue;
+              result[d] += (result[d].empty() ? "" : "+") + stretched(i);
+              if (formulas[i][d] != "1")
+                result[d] += "*" + formulas[i][d];
+              if (i == d)
+                result[d] += std::string("-") + "xy"[d];
+            }
+      return result;
     }
 
 
@@ -54,7 +103,8 @@ namespace Heddle
     FabricMotion::turn_angles() const
     {
       const Both<double> rates = turn_rates();
-      return {{times_ramp(rates[0] * angle), times_ramp(rates[1] * angle)}};
+      return {{times_ramp(rates[0] * angle, ramp_text),
+               times_ramp(rates[1] * angle, ramp_text)}};
     }
 
 
@@ -79,13 +129,11 @@ namespace Heddle
     FabricMotion::Both<Tensor<1, 3>>
     FabricMotion::directions(const double load_factor) const
     {
-      const double gamma = shear_angle(load_factor);
-      if (shear == Shear::simple)
-        return {{Tensor<1, 3>({1., 0., 0.}),
-                 Tensor<1, 3>({std::tan(gamma), 1., 0.})}};
-      const double cosine = std::cos(0.5 * gamma), sine = std::sin(0.5 * gamma);
-      return {
-        {Tensor<1, 3>({cosine, sine, 0.}), Tensor<1, 3>({sine, cosine, 0.})}};
+      Both<Tensor<1, 3>> result;
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int d = 0; d < 2; ++d)
+          result[i][d] = components[i][d].value(Tensor<1, 3>(), load_factor);
+      return result;
     }
 
 
@@ -93,14 +141,23 @@ namespace Heddle
     FabricMotion::Both<Tensor<1, 3>>
     FabricMotion::turning(const double load_factor) const
     {
-      const double gamma = shear_angle(load_factor);
-      if (shear == Shear::simple)
-        return {{Tensor<1, 3>(),
-                 Tensor<1, 3>({1. + std::pow(std::tan(gamma), 2), 0., 0.})}};
-      const double cosine = 0.5 * std::cos(0.5 * gamma),
-                   sine   = 0.5 * std::sin(0.5 * gamma);
-      return {
-        {Tensor<1, 3>({-sine, cosine, 0.}), Tensor<1, 3>({cosine, -sine, 0.})}};
+      const Both<Tensor<1, 3>> along = directions(load_factor);
+      const Both<double>       rates = turn_rates();
+      Both<Tensor<1, 3>>       result;
+      switch (shear)
+        {
+          case Shear::picture_frame:
+            // They only turn.
+            for (unsigned int i = 0; i < 2; ++i)
+              result[i] = Tensor<1, 3>(
+                {-rates[i] * along[i][1], rates[i] * along[i][0], 0.});
+            break;
+          case Shear::simple:
+            // The weft is (tan gamma, 1).
+            result[1][0] = 1. + std::pow(along[1][0], 2);
+            break;
+        }
+      return result;
     }
 
 
@@ -108,9 +165,15 @@ namespace Heddle
     FabricMotion::Both<double>
     FabricMotion::turn_rates() const
     {
-      if (shear == Shear::simple)
-        return {{0., -1.}};
-      return {{0.5, -0.5}};
+      switch (shear)
+        {
+          case Shear::picture_frame:
+            return {{0.5, -0.5}};
+          case Shear::simple:
+            return {{0., -1.}};
+        }
+      Assert(false, ExcInternalError());
+      return {};
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -1,4 +1,5 @@
 #include <heddle/base/reduce.h>
+#include <heddle/base/yarn_set.h>
 #include <heddle/contributions/fabric_supports.h>
 
 #include <array>
@@ -12,11 +13,11 @@ namespace Heddle
   {
     namespace
     {
-      /** Directions of a fabric and sides of a sample. */
-      constexpr unsigned int n_directions = 2, n_sides = 4;
+      /** Directions of a fabric. */
+      constexpr unsigned int n_directions = 2;
 
       const std::array<std::string, n_directions> direction_names = {
-        {"warp", "weft"}};
+        {word(YarnSet::warp), word(YarnSet::weft)}};
 
       /** Strains, and angles, closer than this are the same [-]. */
       constexpr double same_strain = 1e-12;
@@ -42,6 +43,15 @@ namespace Heddle
           if (held.holder[d] != HeldBlock::nobody)
             part[d] = force[d];
         return part;
+      }
+
+
+
+      /** The turn of what is held about z, by the shear angle [-]. */
+      Tensor<1, 3>
+      turn_of(const HeldBlock &held, const FabricMotion::Both<double> &rates)
+      {
+        return Tensor<1, 3>({0., 0., rates[family_of(held)]});
       }
     } // namespace
 
@@ -76,7 +86,7 @@ namespace Heddle
       std::array<std::set<unsigned int>, n_sides> nodes;
       if (state.matrix())
         for (unsigned int side = 0; side < n_sides; ++side)
-          if (test.supports[side]->displacement[side / 2] != "free")
+          if (!test.supports[side]->is_free(side / 2))
             {
               const auto on_side = state.matrix()->nodes_on_side(side);
               nodes[side].insert(on_side.begin(), on_side.end());
@@ -161,25 +171,69 @@ namespace Heddle
 
 
 
+    FabricSupports::Kinematics::Kinematics(const FabricMotion &motion,
+                                           const double        load_factor)
+      : along(motion.directions(load_factor))
+      , turning(motion.turning(load_factor))
+      , turn_rates(motion.turn_rates())
+    {
+      for (unsigned int i = 0; i < n_directions; ++i)
+        stretch[i] = 1. + motion.strain(i, load_factor);
+    }
+
+
+
+    void
+    FabricSupports::add_position(const HeldBlock    &held,
+                                 const unsigned int  sides,
+                                 const Tensor<1, 3> &force,
+                                 const Tensor<1, 3> &place,
+                                 const Kinematics   &kinematics,
+                                 Sums               &sums)
+    {
+      const bool in_matrix = held.is_in_matrix();
+      for (unsigned int side = 0; side < n_sides; ++side)
+        if (sides >> side & 1u)
+          {
+            SideSums &sum = sums.sides[side];
+            sum.force += force;
+            if (in_matrix)
+              sum.of_matrix += force;
+            else
+              {
+                sum.ends += place;
+                sum.n_ends += 1.;
+              }
+          }
+
+      double       couple = 0.;
+      Tensor<1, 3> lever  = place;
+      for (unsigned int i = 0; i < n_directions; ++i)
+        {
+          sums.work[i] += (force * kinematics.along[i]) * held.reference[i];
+          couple += (force * kinematics.turning[i]) * held.position[i] *
+                    kinematics.stretch[i];
+          lever -=
+            kinematics.along[i] * held.position[i] * kinematics.stretch[i];
+        }
+      // The ends of a yarn turn about their middle.
+      if (!in_matrix)
+        couple +=
+          force * cross_product_3d(turn_of(held, kinematics.turn_rates), lever);
+      sums.couple += couple;
+      sums.matrix_couple += in_matrix ? couple : 0.;
+    }
+
+
+
     void
     FabricSupports::observe(const System::BlockSystem &system)
     {
       Supports::observe(system);
-      const System::State &state   = system.state;
-      const double         t       = state.load_factor;
-      const auto           along   = test.motion.directions(t);
-      const auto           turning = test.motion.turning(t);
-      const auto           rates   = test.motion.turn_rates();
+      const System::State &state = system.state;
+      const Kinematics     kinematics(test.motion, state.load_factor);
 
-      const auto turn_of = [&rates](const HeldBlock &held) {
-        return Tensor<1, 3>({0., 0., rates[family_of(held)]});
-      };
-
-      // By side: force, that on the matrix, middle of the ends of fibers and
-      // their number; then what is conjugate to both strains and to the angle.
-      constexpr unsigned int                         n_of_side = 10;
-      std::array<double, n_of_side *n_sides + 2 + 2> sums      = {};
-      double *const conjugate = sums.data() + n_of_side * n_sides;
+      Sums sums;
       for (unsigned int k = 0; k < sides_of.size(); ++k)
         {
           const HeldBlock   &held  = held_blocks()[k];
@@ -188,67 +242,46 @@ namespace Heddle
             continue;
           const Tensor<1, 3>  force = held_part(held, system.residual()[block]);
           const Tensor<1, 3> &place = state.current()[block];
-          Tensor<1, 3>        lever = place;
-          double              couple = 0.;
           if (held.kind == HeldBlock::Kind::position)
-            {
-              for (unsigned int side = 0; side < n_sides; ++side)
-                if (sides_of[k] >> side & 1u)
-                  {
-                    double *sum = sums.data() + n_of_side * side;
-                    for (unsigned int d = 0; d < 3; ++d)
-                      {
-                        sum[d] += force[d];
-                        if (held.is_in_matrix())
-                          sum[3 + d] += force[d];
-                        else
-                          sum[6 + d] += place[d];
-                      }
-                    sum[9] += held.is_in_matrix() ? 0. : 1.;
-                  }
-              for (unsigned int i = 0; i < n_directions; ++i)
-                {
-                  conjugate[i] += (force * along[i]) * held.reference[i];
-                  couple += (force * turning[i]) * held.position[i] *
-                            (1. + test.motion.strain(i, t));
-                  lever -= along[i] * held.position[i] *
-                           (1. + test.motion.strain(i, t));
-                }
-              // The ends of a yarn turn about their middle.
-              if (!held.is_in_matrix())
-                couple += force * cross_product_3d(turn_of(held), lever);
-            }
+            add_position(held, sides_of[k], force, place, kinematics, sums);
           else
-            {
-              couple = force * cross_product_3d(turn_of(held), place);
-            }
-          conjugate[2] += couple;
-          conjugate[3] += held.is_in_matrix() ? couple : 0.;
+            sums.couple +=
+              force *
+              cross_product_3d(turn_of(held, kinematics.turn_rates), place);
         }
       sum_over_ranks(sums, state.space.communicator());
-
-      std::vector<Tensor<1, 3>> forces, of_matrix, middles;
-      for (unsigned int side = 0; side < n_sides; ++side)
-        {
-          const double *sum = sums.data() + n_of_side * side;
-          forces.push_back(Tensor<1, 3>({sum[0], sum[1], sum[2]}));
-          of_matrix.push_back(Tensor<1, 3>({sum[3], sum[4], sum[5]}));
-          middles.push_back(Tensor<1, 3>({sum[6], sum[7], sum[8]}) / sum[9]);
-        }
-      now.length = lengths(middles, t);
-      for (unsigned int i = 0; i < n_directions; ++i)
-        {
-          const Tensor<1, 3> outward = along[i] / along[i].norm();
-          now.force[i] = 0.5 * (forces[2 * i + 1] - forces[2 * i]) * outward;
-          now.matrix_force[i] =
-            0.5 * (of_matrix[2 * i + 1] - of_matrix[2 * i]) * outward;
-          now.work_force[i] = conjugate[i] / rest_length[i];
-        }
-      now.angle         = test.motion.shear_angle(t);
-      now.couple        = conjugate[2];
-      now.matrix_couple = conjugate[3];
+      now = measure(sums, kinematics, state.load_factor);
     }
 
+
+
+    FabricSupports::Measured
+    FabricSupports::measure(const Sums       &sums,
+                            const Kinematics &kinematics,
+                            const double      load_factor) const
+    {
+      std::vector<Tensor<1, 3>> middles;
+      for (const SideSums &side : sums.sides)
+        middles.push_back(side.ends / side.n_ends);
+
+      Measured result;
+      result.length = lengths(middles, load_factor);
+      for (unsigned int i = 0; i < n_directions; ++i)
+        {
+          const SideSums    &first = sums.sides[2 * i];
+          const SideSums    &last  = sums.sides[2 * i + 1];
+          const Tensor<1, 3> outward =
+            kinematics.along[i] / kinematics.along[i].norm();
+          result.force[i] = 0.5 * (last.force - first.force) * outward;
+          result.matrix_force[i] =
+            0.5 * (last.of_matrix - first.of_matrix) * outward;
+          result.work_force[i] = sums.work[i] / rest_length[i];
+        }
+      result.angle         = test.motion.shear_angle(load_factor);
+      result.couple        = sums.couple;
+      result.matrix_couple = sums.matrix_couple;
+      return result;
+    }
 
 
     double

@@ -287,35 +287,46 @@ namespace Heddle
     void
     FiberContact::gather_statistics()
     {
-      std::array<double, 4> sums     = {};
-      std::array<double, 3> extremes = {{0., 0., -1e300}};
+      struct
+      {
+        double n_active = 0., n_watched = 0., force = 0., energy = 0.;
+      } sums;
+      struct
+      {
+        double relative_penetration = 0., penalty = 0.,
+               negative_penalty = -1e300;
+      } largest;
       // The elements of a cell follow each other: together they are one
       // contact.
       unsigned int last_cell = numbers::invalid_unsigned_int;
       for (const Contact::ContactElement &element : contact_elements)
         if (space.owns(element.fiber_a))
           {
-            sums[0] += element.cell != last_cell ? 1. : 0.;
+            sums.n_active += element.cell != last_cell ? 1. : 0.;
             last_cell = element.cell;
-            sums[1] += element.force;
-            sums[2] += energy(element);
-            extremes[1] = std::max(extremes[1], element.penalty);
-            extremes[2] = std::max(extremes[2], -element.penalty);
+            sums.force += element.force;
+            sums.energy += energy(element);
+            largest.penalty = std::max(largest.penalty, element.penalty);
+            largest.negative_penalty =
+              std::max(largest.negative_penalty, -element.penalty);
           }
       for (const Contact::ContactCell &cell : cells.cells())
-        sums[3] += space.owns(cell.fiber_a) ? 1. : 0.;
+        sums.n_watched += space.owns(cell.fiber_a) ? 1. : 0.;
       for (const Contact::ContactCells::Zone &zone : cells.zones())
-        extremes[0] = std::max(extremes[0], zone.penetration / zone.radius);
+        largest.relative_penetration = std::max(largest.relative_penetration,
+                                                zone.penetration / zone.radius);
       sum_over_ranks(sums, space.communicator());
-      max_over_ranks(extremes, space.communicator());
+      max_over_ranks(largest, space.communicator());
 
-      statistics.n_active        = sums[0];
-      statistics.n_watched       = sums[3];
-      statistics.mean_force      = sums[0] > 0. ? sums[1] / sums[0] : 0.;
-      statistics.energy          = sums[2];
-      statistics.deepest         = extremes[0];
-      statistics.largest_penalty = extremes[1];
-      statistics.least_penalty   = sums[0] > 0. ? -extremes[2] : 0.;
+      statistics.n_active  = sums.n_active;
+      statistics.n_watched = sums.n_watched;
+      statistics.mean_force =
+        sums.n_active > 0. ? sums.force / sums.n_active : 0.;
+      statistics.energy          = sums.energy;
+      statistics.deepest         = largest.relative_penetration;
+      statistics.largest_penalty = largest.penalty;
+      statistics.least_penalty =
+        sums.n_active > 0. ? -largest.negative_penalty : 0.;
     }
 
 

@@ -293,7 +293,7 @@ namespace Heddle
     FiberElasticity::report(const System::State           &state,
                             std::map<std::string, double> &values) const
     {
-      std::array<double, 5> energy = {};
+      Beam::Element::EnergySplit energy;
       for_each_element(
         state,
         [&](const unsigned int f, const unsigned int e, unsigned int first) {
@@ -302,18 +302,18 @@ namespace Heddle
                                          state.current().data() + first,
                                          space.element_length(f, e),
                                          reference_strains(f, e));
-          energy[0] += split.axial;
-          energy[1] += split.bending;
-          energy[2] += split.shear;
-          energy[3] += split.torsion;
-          energy[4] += split.section;
+          energy.axial += split.axial;
+          energy.bending += split.bending;
+          energy.shear += split.shear;
+          energy.torsion += split.torsion;
+          energy.section += split.section;
         });
       sum_over_ranks(energy, space.communicator());
-      values["axial_energy[N*mm]"]   = energy[0];
-      values["bending_energy[N*mm]"] = energy[1];
-      values["shear_energy[N*mm]"]   = energy[2];
-      values["torsion_energy[N*mm]"] = energy[3];
-      values["section_energy[N*mm]"] = energy[4];
+      values["axial_energy[N*mm]"]   = energy.axial;
+      values["bending_energy[N*mm]"] = energy.bending;
+      values["shear_energy[N*mm]"]   = energy.shear;
+      values["torsion_energy[N*mm]"] = energy.torsion;
+      values["section_energy[N*mm]"] = energy.section;
     }
   } // namespace Contributions
 } // namespace Heddle

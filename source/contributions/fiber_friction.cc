@@ -348,19 +348,23 @@ namespace Heddle
     FiberFriction::report(const System::State           &state,
                           std::map<std::string, double> &values) const
     {
-      std::array<double, 3> sums = {};
+      struct
+      {
+        double stored = 0., n_elements = 0., n_slipping = 0.;
+      } sums;
       for (const Element &element : elements)
         if (space.owns(element.fiber_a))
           {
             const Tensor<1, 3> u = element.displacement(state.current());
-            sums[0] += element.law.energy(element.law.elastic_part(u));
-            sums[1] += 1.;
-            sums[2] += u.norm() > element.law.reversible ? 1. : 0.;
+            sums.stored += element.law.energy(element.law.elastic_part(u));
+            sums.n_elements += 1.;
+            sums.n_slipping += u.norm() > element.law.reversible ? 1. : 0.;
           }
       sum_over_ranks(sums, space.communicator());
-      values["friction_stored[N*mm]"]     = sums[0];
+      values["friction_stored[N*mm]"]     = sums.stored;
       values["friction_dissipated[N*mm]"] = dissipated;
-      values["slipping_part[-]"] = sums[1] > 0. ? sums[2] / sums[1] : 0.;
+      values["slipping_part[-]"] =
+        sums.n_elements > 0. ? sums.n_slipping / sums.n_elements : 0.;
     }
 
 
@@ -387,8 +391,11 @@ namespace Heddle
     FiberFriction::accept_step(const System::State &state)
     {
       std::vector<Contact::FrictionMemory::Record> records;
-      std::array<double, 2>                        sums   = {};
       const std::vector<double>                    before = limits_before();
+      struct
+      {
+        double work = 0., stored = 0.;
+      } sums;
       for (unsigned int i = 0; i < elements.size(); ++i)
         {
           const Element     &element = elements[i];
@@ -397,9 +404,10 @@ namespace Heddle
           if (space.owns(element.fiber_a))
             {
               // The work of a step is that at the mean of its limits.
-              sums[0] += 0.5 * (1. + before[i]) * element.law.limit *
-                         (element.law.energy_ratio(u) - element.energy_before);
-              sums[1] += element.law.energy(kept);
+              sums.work +=
+                0.5 * (1. + before[i]) * element.law.limit *
+                (element.law.energy_ratio(u) - element.energy_before);
+              sums.stored += element.law.energy(kept);
             }
           const Tensor<2, 3> axes =
             element.pair(state.current()).frame(element.orientation);
@@ -415,8 +423,8 @@ namespace Heddle
       memory.set(records);
       placement = 0;
       sum_over_ranks(sums, space.communicator());
-      dissipated += sums[0] - (sums[1] - stored);
-      stored = sums[1];
+      dissipated += sums.work - (sums.stored - stored);
+      stored = sums.stored;
     }
 
 

@@ -115,8 +115,11 @@ namespace Heddle
     FiberMatrixCoupling::report(const System::State           &state,
                                 std::map<std::string, double> &values) const
     {
-      std::array<double, 2> sums    = {};
-      std::array<double, 1> largest = {};
+      struct
+      {
+        double energy = 0., n_elements = 0.;
+      } sums;
+      double largest_force = 0.;
       for (const EmbeddedLink &embedded : links)
         if (state.space.owns(embedded.fiber))
           {
@@ -124,16 +127,17 @@ namespace Heddle
             find_places(embedded, state, places);
             const double stretch =
               embedded.link.stretch(places.places.data()).norm();
-            sums[0] += 0.5 * embedded.link.stiffness * stretch * stretch;
-            sums[1] += 1.;
-            largest[0] = std::max(
-              largest[0], embedded.link.stiffness * stretch / embedded.length);
+            sums.energy += 0.5 * embedded.link.stiffness * stretch * stretch;
+            sums.n_elements += 1.;
+            largest_force =
+              std::max(largest_force,
+                       embedded.link.stiffness * stretch / embedded.length);
           }
       sum_over_ranks(sums, state.space.communicator());
-      max_over_ranks(largest, state.space.communicator());
-      values["coupling_energy[N*mm]"]                   = sums[0];
-      values["coupling_elements[-]"]                    = sums[1];
-      values["largest_coupling_force_per_length[N/mm]"] = largest[0];
+      max_over_ranks(largest_force, state.space.communicator());
+      values["coupling_energy[N*mm]"]                   = sums.energy;
+      values["coupling_elements[-]"]                    = sums.n_elements;
+      values["largest_coupling_force_per_length[N/mm]"] = largest_force;
     }
 
 

@@ -60,7 +60,7 @@ namespace Heddle
           if (kind == HeldBlock::Kind::tangent)
             return true;
           return a.section == b.section &&
-                 (a.section == "held" ||
+                 (a.section == SupportedSection::held ||
                   (a.angle == b.angle && a.axis == b.axis));
         }
 
@@ -138,9 +138,9 @@ namespace Heddle
         };
 
         for (unsigned int d = 0; d < 3; ++d)
-          if (support.displacement[d] != "free")
+          if (!support.is_free(d))
             hold(0, HeldBlock::Kind::position, d);
-        if (support.section != "free")
+        if (support.section != SupportedSection::free)
           for (unsigned int block = 1; block < n_blocks_per_node; ++block)
             for (unsigned int d = 0; d < 3; ++d)
               hold(block,
@@ -163,7 +163,7 @@ namespace Heddle
         for (const unsigned int side : support.sides())
           for (const unsigned int node : matrix.nodes_on_side(side))
             for (unsigned int d = 0; d < 3; ++d)
-              if (support.displacement[d] != "free")
+              if (!support.is_free(d))
                 {
                   HeldBlock held;
                   held.fiber     = HeldBlock::nobody;

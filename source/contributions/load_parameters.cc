@@ -8,7 +8,7 @@ namespace Heddle
     LoadParameters::LoadParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      nodes.nodes = "last end";
+      nodes.nodes = ChosenNodes::last_end;
       nodes.add_parameters(*this);
       add_vector("Force",
                  force,

@@ -1,3 +1,4 @@
+#include <heddle/base/reduce.h>
 #include <heddle/base/throw_together.h>
 #include <heddle/beam/end_moment.h>
 #include <heddle/beam/section_rotation.h>
@@ -171,12 +172,9 @@ namespace Heddle
     void
     Loads::begin_step(System::State &state)
     {
-      std::vector<double> sums(3 * totals.size(), 0.);
-      throw_together([&]() { evaluate_all(state.load_factor, sums); },
+      throw_together([&]() { evaluate_all(state.load_factor); },
                      space.communicator());
-      Utilities::MPI::sum(sums, space.communicator(), sums);
-      for (unsigned int k = 0; k < sums.size(); ++k)
-        totals[k / 3][k % 3] = sums[k];
+      sum_over_ranks(totals, space.communicator());
       predicted = false;
       find_largest_force();
     }
@@ -184,8 +182,9 @@ namespace Heddle
 
 
     void
-    Loads::evaluate_all(const double load_factor, std::vector<double> &sums)
+    Loads::evaluate_all(const double load_factor)
     {
+      std::fill(totals.begin(), totals.end(), Tensor<1, 3>());
       std::fill(external.begin(), external.end(), Tensor<1, 3>());
       for (const Force &force : forces)
         {
@@ -197,8 +196,7 @@ namespace Heddle
                                     load_factor);
           external[force.block] += value;
           if (force.block % (n_vectors + 1) == 0)
-            for (unsigned int d = 0; d < 3; ++d)
-              sums[3 * force.load + d] += value[d];
+            totals[force.load] += value;
         }
       for (Moment &moment : moments)
         moment.value =
@@ -345,20 +343,20 @@ namespace Heddle
     Loads::report(const System::State           &state,
                   std::map<std::string, double> &values) const
     {
-      std::vector<double> motion(3 * totals.size(), 0.);
+      std::vector<Tensor<1, 3>> motion(totals.size());
       for (const Watched &node : watched)
         for (unsigned int d = 0; d < 3; ++d)
-          motion[3 * node.load + d] +=
+          motion[node.load][d] +=
             (state.current()[node.block][d] - node.position[d]) /
             n_nodes_of[node.load];
-      Utilities::MPI::sum(motion, space.communicator(), motion);
-      for (unsigned int k = 0; k < motion.size(); ++k)
-        {
-          const std::string load = "load_" + std::to_string(k / 3 + 1);
-          values[load + "_force_" + "xyz"[k % 3] + "[N]"] =
-            totals[k / 3][k % 3];
-          values[load + "_displacement_" + "xyz"[k % 3] + "[mm]"] = motion[k];
-        }
+      sum_over_ranks(motion, space.communicator());
+      for (unsigned int i = 0; i < totals.size(); ++i)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const std::string load = "load_" + std::to_string(i + 1);
+            values[load + "_force_" + "xyz"[d] + "[N]"]         = totals[i][d];
+            values[load + "_displacement_" + "xyz"[d] + "[mm]"] = motion[i][d];
+          }
       values["external_work[N*mm]"] += work.value();
     }
 

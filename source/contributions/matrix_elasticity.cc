@@ -272,8 +272,11 @@ namespace Heddle
       Turns result;
       if (!law->is_linear())
         return result;
-      std::array<double, 2> volumes = {};
-      CellData              cell;
+      struct
+      {
+        double all = 0., turned = 0.; /**< [mm^3] */
+      } volumes;
+      CellData cell;
       for (const unsigned int c : matrix.near_cells())
         if (matrix.owns(matrix.cell(c)[0]))
           {
@@ -295,14 +298,14 @@ namespace Heddle
                 const double angle =
                   std::atan2(axis.norm(), 0.5 * (trace(F) - 1.));
                 result.largest = std::max(result.largest, angle);
-                volumes[0] += cell.weights[q];
-                volumes[1] += angle > limit ? cell.weights[q] : 0.;
+                volumes.all += cell.weights[q];
+                volumes.turned += angle > limit ? cell.weights[q] : 0.;
               }
           }
       sum_over_ranks(volumes, state.space.communicator());
       result.largest =
         Utilities::MPI::max(result.largest, state.space.communicator());
-      result.part = volumes[1] / volumes[0];
+      result.part = volumes.turned / volumes.all;
       return result;
     }
 

@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/base/declared_parameters.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/contributions/node_selection.h>
@@ -25,13 +26,12 @@ namespace Heddle
         "weft yarns take turns: fibers of the first warp yarn, "
         "of the first weft yarn, of the second warp yarn... "
         "[-].");
-      owner.add_parameter(
+      add_choice(
+        owner,
         "Nodes",
         nodes,
         "Which nodes of these fibers: an end, both ends, all, or those 'near "
-        "point' in the reference configuration [-].",
-        ParameterAcceptor::prm,
-        Patterns::Selection("first end|last end|both ends|near point|all"));
+        "point' in the reference configuration [-].");
       owner.add_parameter("Point",
                           point,
                           "Nodes within 'Distance' of this point are chosen. "
@@ -50,7 +50,7 @@ namespace Heddle
     NodeSelection::find_fibers(const System::FiberSpace &space,
                                const std::string        &where) const
     {
-      if (fibers == "none")
+      if (is_empty())
         return {};
       return space.names().find(fibers, where);
     }
@@ -62,11 +62,22 @@ namespace Heddle
                            const unsigned int  n_nodes,
                            const Tensor<1, 3> &position) const
     {
-      if (nodes == "near point")
-        return (position - point).norm() <= distance;
       const bool is_first = node == 0, is_last = node == n_nodes - 1;
-      return nodes == "all" || (is_first && nodes != "last end") ||
-             (is_last && nodes != "first end");
+      switch (nodes)
+        {
+          case ChosenNodes::first_end:
+            return is_first;
+          case ChosenNodes::last_end:
+            return is_last;
+          case ChosenNodes::both_ends:
+            return is_first || is_last;
+          case ChosenNodes::near_point:
+            return (position - point).norm() <= distance;
+          case ChosenNodes::all:
+            return true;
+        }
+      Assert(false, ExcInternalError());
+      return false;
     }
 
 
@@ -98,7 +109,7 @@ namespace Heddle
            Utilities::MPI::all_gather(space.communicator(), owned))
         all.insert(all.end(), part.begin(), part.end());
       nearest = Utilities::MPI::min(nearest, space.communicator());
-      if (all.empty() && fibers != "none")
+      if (all.empty() && !is_empty())
         {
           std::ostringstream sentence;
           sentence << where << ": no node lies within " << distance

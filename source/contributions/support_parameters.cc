@@ -1,8 +1,7 @@
+#include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/expression.h>
 #include <heddle/contributions/support_parameters.h>
-
-#include <algorithm>
 
 namespace Heddle
 {
@@ -27,14 +26,13 @@ namespace Heddle
                       "[mm] and the load factor t: the displacement from the "
                       "reference position, which in a weave is where the "
                       "fibers have settled [mm].");
-      add_parameter(
+      add_choice(
+        *this,
         "Section",
         section,
         "'held' keeps the section (with the element 'hermite' the direction of "
         "the axis, which may stretch), 'turned' turns it by 'Turn angle', "
-        "'free' leaves it free [-].",
-        prm,
-        Patterns::Selection("free|held|turned"));
+        "'free' leaves it free [-].");
       add_parameter("Turn angle",
                     angle,
                     "Formula of x, y, z [mm] and t: angle by which sections "
@@ -61,27 +59,24 @@ namespace Heddle
     SupportParameters::check() const
     {
       for (unsigned int d = 0; d < 3; ++d)
-        if (displacement[d] != "free")
+        if (!is_free(d))
           Expression(displacement[d],
                      entry(std::string("Displacement ") + "xyz"[d]));
       Expression(angle, entry("Turn angle"));
-      require(section != "turned" || axis.norm() > 0.,
+      require(section != SupportedSection::turned || axis.norm() > 0.,
               entry("Turn axis") + " is 0, 0, 0, which is no direction.");
-      require(section == "free" || held_tangent.empty(),
+      require(section == SupportedSection::free || held_tangent.empty(),
               entry("Held tangent components") +
-                " needs a free section, but \"Section\" is \"" + section +
+                " needs a free section, but \"Section\" is \"" + word(section) +
                 "\".");
-      require(nodes.fibers != "none" || !matrix_sides.empty(),
+      require(!nodes.is_empty() || !matrix_sides.empty(),
               entry("Fibers") +
                 " is \"none\", and \"Matrix sides\" is empty: this support "
                 "holds nothing; name fibers or sides.");
-      const bool all_free = std::all_of(
-        displacement.begin(),
-        displacement.end(),
-        [](const std::string &component) { return component == "free"; });
-      require(!all_free || section != "free" || !held_tangent.empty(),
-              where +
-                ": this support holds nothing; give a displacement, set the "
+      const bool all_free = is_free(0) && is_free(1) && is_free(2);
+      require(
+        !all_free || section != SupportedSection::free || !held_tangent.empty(),
+        where + ": this support holds nothing; give a displacement, set the "
                 "section to \"held\" or \"turned\", or leave the support out.");
     }
 

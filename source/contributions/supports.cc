@@ -1,9 +1,9 @@
 #include <heddle/base/normals.h>
+#include <heddle/base/reduce.h>
 #include <heddle/base/throw_together.h>
 #include <heddle/contributions/supports.h>
 #include <heddle/system/block_archive.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/physics/transformations.h>
 
 
@@ -41,11 +41,12 @@ namespace Heddle
         {
           Motion motion;
           for (unsigned int d = 0; d < 3; ++d)
-            if (support->displacement[d] != "free")
+            if (!support->is_free(d))
               motion.displacement[d] = std::make_unique<Expression>(
                 support->displacement[d],
                 support->entry(std::string("Displacement ") + "xyz"[d]));
-          if (support->section == "turned" || support->yarns_are_bodies)
+          if (support->section == SupportedSection::turned ||
+              support->yarns_are_bodies)
             {
               motion.angle = std::make_unique<Expression>(
                 support->angle, support->entry("Turn angle"));
@@ -150,7 +151,7 @@ namespace Heddle
     void
     Supports::observe(const System::BlockSystem &system)
     {
-      std::vector<double>       sums(9 * reactions.size(), 0.);
+      std::fill(reactions.begin(), reactions.end(), Reaction());
       std::vector<Tensor<1, 3>> forces(system.state.n_owned_blocks());
       for (const HeldBlock &held : blocks)
         if (held.local_block(system.state) < forces.size())
@@ -162,28 +163,19 @@ namespace Heddle
             for (unsigned int d = 0; d < 3; ++d)
               if (held.holder[d] != HeldBlock::nobody)
                 {
-                  double      *sum = sums.data() + 9 * held.holder[d];
+                  Reaction    &sum = reactions[held.holder[d]];
                   Tensor<1, 3> force;
                   force[d] = forces[block][d] = system.residual()[block][d];
                   if (held.kind == HeldBlock::Kind::position)
-                    sum[d] += force[d];
-                  const Tensor<1, 3> moment =
+                    sum.force += force;
+                  sum.moment +=
                     cross_product_3d(system.state.current()[block], force);
-                  for (unsigned int e = 0; e < 3; ++e)
-                    sum[3 + e] += moment[e];
                   if (held.is_in_matrix())
-                    sum[6 + d] += force[d];
+                    sum.of_matrix += force;
                 }
           }
       work.set_forces(forces);
-      Utilities::MPI::sum(sums, space.communicator(), sums);
-      for (unsigned int i = 0; i < reactions.size(); ++i)
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            reactions[i].force[d]     = sums[9 * i + d];
-            reactions[i].moment[d]    = sums[9 * i + 3 + d];
-            reactions[i].of_matrix[d] = sums[9 * i + 6 + d];
-          }
+      sum_over_ranks(reactions, space.communicator());
     }
 
 

@@ -1,3 +1,4 @@
+#include <heddle/base/yarn_set.h>
 #include <heddle/io/fiber_output.h>
 
 #include <deal.II/grid/reference_cell.h>
@@ -204,7 +205,7 @@ namespace Heddle
           put(f);
           put(helpers::id(fiber.bundle_id));
           put(helpers::id(fiber.yarn_id));
-          put(fiber.set == "warp" ? 1. : 0.);
+          put(fiber.set == word(YarnSet::warp) ? 1. : 0.);
           put(s);
           for (const double value : section)
             put(value);

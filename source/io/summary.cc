@@ -16,24 +16,33 @@ namespace Heddle
 
 
 
-        std::string
-        name(const Heddle::IO::Summary::Status status)
+        template <typename Value>
+        const Value &
+        to_json(const Value &value)
         {
-          using Status = Heddle::IO::Summary::Status;
-          switch (status)
-            {
-              case Status::running:
-                return "running";
-              case Status::converged:
-                return "converged";
-              case Status::not_converged:
-                return "not converged";
-              case Status::stopped:
-                return "stopped";
-              case Status::failed:
-                break;
-            }
-          return "failed";
+          return value;
+        }
+
+
+
+        std::string
+        to_json(const Status &status)
+        {
+          return word(status);
+        }
+
+
+
+        Json
+        to_json(const WallTime &time)
+        {
+          Json json;
+          WallTime::describe(
+            [&json](const std::string &name, const double seconds) {
+              json[name] = seconds;
+            },
+            time);
+          return json;
         }
 
 
@@ -42,29 +51,11 @@ namespace Heddle
         to_json(const StageSummary &stage)
         {
           Json json;
-          json["name"]                    = stage.name;
-          json["status"]                  = stage.status;
-          json["steps"]                   = stage.steps;
-          json["newton_iterations"]       = stage.newton_iterations;
-          json["factorizations"]          = stage.factorizations;
-          json["linear_iterations"]       = stage.linear_iterations;
-          json["contact_elements"]        = stage.contact_elements;
-          json["active_contact_elements"] = stage.active_contact_elements;
-          json["n_dofs_per_rank"]         = stage.n_dofs_per_rank;
-          json["max_penetration_ratio"]   = stage.max_penetration_ratio;
-          json["max_bend_ratio"]          = stage.max_bend_ratio;
-          json["crossings_total"]         = stage.crossings_total;
-          json["crossings_wrong"]         = stage.crossings_wrong;
-          json["crossings_apart"]         = stage.crossings_apart;
-          json["residual_ratio"]          = stage.residual_ratio;
-          json["last_output"]             = stage.last_output;
-          json["wall_time_s"]             = {
-                        {"total", stage.wall_time.total},
-                        {"detection", stage.wall_time.detection},
-                        {"assembly", stage.wall_time.assembly},
-                        {"linear_solver", stage.wall_time.linear_solver},
-                        {"line_search", stage.wall_time.line_search},
-                        {"output", stage.wall_time.output}};
+          StageSummary::describe(
+            [&json](const std::string &name, const auto &value) {
+              json[name] = to_json(value);
+            },
+            stage);
           return json;
         }
 
@@ -90,7 +81,7 @@ namespace Heddle
     Summary::json() const
     {
       internal::Summary::Json json;
-      json["status"] = internal::Summary::name(status);
+      json["status"] = word(status);
       json["reason"] = reason;
 
       json["n_fibers"]      = n_fibers;

@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/simulation/centerline_parameters.h>
 
 namespace Heddle
@@ -35,13 +36,12 @@ namespace Heddle
                     "for instance [mm].",
                     prm,
                     Patterns::Double(1e-12));
-      add_parameter("Interpolation",
-                    interpolation,
-                    "The curve through the points: 'spline' (C2, not curved "
-                    "at its ends) or "
-                    "'catmull-rom' (C1, and more local) [-].",
-                    prm,
-                    Patterns::Selection("spline|catmull-rom"));
+      add_choice(*this,
+                 "Interpolation",
+                 entries.interpolation,
+                 "The curve through the points: 'spline' (C2, not curved "
+                 "at its ends) or "
+                 "'catmull-rom' (C1, and more local) [-].");
       add_parameter("Straight when free",
                     straight_when_free,
                     "Whether the fibers would be straight if they were free, "
@@ -64,9 +64,6 @@ namespace Heddle
     {
       Textile::PathReading result = entries;
       result.knots_per_element    = nodes_per_element - 1;
-      result.interpolation        = interpolation == "spline"
-                                      ? Textile::Interpolation::spline
-                                      : Textile::Interpolation::catmull_rom;
       return result;
     }
   } // namespace Simulation

@@ -73,7 +73,7 @@ namespace Heddle
     void
     Computation::run()
     {
-      using Status = IO::Summary::Status;
+      using Status = IO::Status;
       if (place.stepping != nullptr)
         {
           // Only a search tells whether fibers are near each other. A stage

@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/number_text.h>
 #include <heddle/simulation/fabric_loading_parameters.h>
@@ -28,21 +29,19 @@ namespace Heddle
     FabricLoadingParameters::FabricLoadingParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter("Kind",
-                    kind,
-                    "Test of a fabric, whose four sides are moved: the ends of "
-                    "its fibers and, if it has one, the sides of its matrix. "
-                    "Every load case begins in the initial configuration, "
-                    "with the tension under which it was computed, unless "
-                    "'Restart/Stress free' is true. What the case lets go of, "
-                    "as two sides in uniaxial tension, gives way before it is "
-                    "loaded, and the tension with it: forces at load factor 0 "
-                    "are what is left, and may push. "
-                    "'none': supports and loads as listed, if any. No other "
-                    "entry is active then [-].",
-                    prm,
-                    Patterns::Selection("none|biaxial tension|uniaxial "
-                                        "tension|picture frame|simple shear"));
+      add_choice(*this,
+                 "Kind",
+                 kind,
+                 "Test of a fabric, whose four sides are moved: the ends of "
+                 "its fibers and, if it has one, the sides of its matrix. "
+                 "Every load case begins in the initial configuration, "
+                 "with the tension under which it was computed, unless "
+                 "'Restart/Stress free' is true. What the case lets go of, "
+                 "as two sides in uniaxial tension, gives way before it is "
+                 "loaded, and the tension with it: forces at load factor 0 "
+                 "are what is left, and may push. "
+                 "'none': supports and loads as listed, if any. No other "
+                 "entry is active then [-].");
       add_parameter("Strain",
                     strain,
                     "Engineering strain, where the ramp is 1, of the warp or, "
@@ -55,21 +54,19 @@ namespace Heddle
                     "'biaxial tension' [-].",
                     prm,
                     Patterns::List(Patterns::Double(), 1));
-      add_parameter("Direction",
-                    direction,
-                    "Which yarns are pulled; their ends keep their places "
-                    "across. Inactive unless 'Kind' is 'uniaxial tension' [-].",
-                    prm,
-                    Patterns::Selection("warp|weft"));
-      add_parameter("Sides",
-                    sides,
-                    "What the two other sides do: 'held' keeps their distance, "
-                    "while the yarns that end there may slide along the pull, "
-                    "'free' leaves them free in the plane, for which there "
-                    "must be friction or a matrix. Both keep their height. "
-                    "Inactive unless 'Kind' is 'uniaxial tension' [-].",
-                    prm,
-                    Patterns::Selection("free|held"));
+      add_choice(*this,
+                 "Direction",
+                 direction,
+                 "Which yarns are pulled; their ends keep their places "
+                 "across. Inactive unless 'Kind' is 'uniaxial tension' [-].");
+      add_choice(*this,
+                 "Sides",
+                 sides,
+                 "What the two other sides do: 'held' keeps their distance, "
+                 "while the yarns that end there may slide along the pull, "
+                 "'free' leaves them free in the plane, for which there "
+                 "must be friction or a matrix. Both keep their height. "
+                 "Inactive unless 'Kind' is 'uniaxial tension' [-].");
       add_parameter("Shear angles",
                     shear_angles,
                     "By how much the angle between warp and weft gets smaller, "
@@ -78,14 +75,13 @@ namespace Heddle
                     "shear' [degrees].",
                     prm,
                     Patterns::List(Patterns::Double(), 1));
-      add_parameter("Ends",
-                    ends,
-                    "'hinged': sections at the ends of fibers are free to "
-                    "turn; 'clamped': they turn as the fabric shears along "
-                    "their yarns, or not at all where nothing turns. Sides "
-                    "that are free have free sections [-].",
-                    prm,
-                    Patterns::Selection("hinged|clamped"));
+      add_choice(*this,
+                 "Ends",
+                 ends,
+                 "'hinged': sections at the ends of fibers are free to "
+                 "turn; 'clamped': they turn as the fabric shears along "
+                 "their yarns, or not at all where nothing turns. Sides "
+                 "that are free have free sections [-].");
       add_parameter("Ramp",
                     ramp,
                     "Formula of the load factor t by which strains and angles "
@@ -224,10 +220,18 @@ namespace Heddle
     std::vector<double>
     FabricLoadingParameters::numbers() const
     {
-      if (is_shear())
-        return shear_angles;
-      return kind == "biaxial tension" ? strain_ratios
-                                       : std::vector<double>{1.};
+      switch (kind)
+        {
+          case FabricTest::biaxial_tension:
+            return strain_ratios;
+          case FabricTest::picture_frame:
+          case FabricTest::simple_shear:
+            return shear_angles;
+          case FabricTest::none:
+          case FabricTest::uniaxial_tension:
+            break;
+        }
+      return {1.};
     }
 
 
@@ -235,10 +239,20 @@ namespace Heddle
     std::string
     FabricLoadingParameters::name(const double number) const
     {
-      if (kind == "biaxial tension")
-        return "biaxial " + number_text(number, 6);
-      return is_shear() ? kind + " " + number_text(number, 6)
-                        : "uniaxial " + direction;
+      const std::string value = " " + number_text(number, 6);
+      switch (kind)
+        {
+          case FabricTest::biaxial_tension:
+            return "biaxial" + value;
+          case FabricTest::uniaxial_tension:
+            return std::string("uniaxial ") + word(direction);
+          case FabricTest::picture_frame:
+          case FabricTest::simple_shear:
+            return word(kind) + value;
+          case FabricTest::none:
+            break;
+        }
+      return "";
     }
 
 
@@ -250,12 +264,13 @@ namespace Heddle
       if (is_shear())
         return Motion({{0., 0.}},
                       number * dealii::numbers::PI / 180.,
-                      kind == "simple shear" ? Motion::Shear::simple
-                                             : Motion::Shear::picture_frame,
+                      kind == FabricTest::simple_shear
+                        ? Motion::Shear::simple
+                        : Motion::Shear::picture_frame,
                       ramp);
       Motion::Both<double> strains = {{strain, strain / number}};
-      if (kind == "uniaxial tension")
-        strains[direction == "warp" ? 1 : 0] = 0.;
+      if (kind == FabricTest::uniaxial_tension)
+        strains[direction == YarnSet::warp ? 1 : 0] = 0.;
       return Motion(strains, 0., Motion::Shear::picture_frame, ramp);
     }
 
@@ -265,33 +280,38 @@ namespace Heddle
     FabricLoadingParameters::supports(const Contributions::FabricMotion &motion,
                                       const bool matrix) const
     {
-      const auto                 displacements = motion.displacements();
-      const auto                 angles        = motion.turn_angles();
-      const bool                 uniaxial      = kind == "uniaxial tension";
+      const auto displacements = motion.displacements();
+      const auto angles        = motion.turn_angles();
+      const bool uniaxial      = kind == FabricTest::uniaxial_tension;
       Contributions::SupportList list;
-      for (const std::string family : {"warp", "weft"})
+      for (const YarnSet family : all_choices<YarnSet>())
         for (const std::string side : {"-", "+"})
           {
-            const unsigned int along   = family == "warp" ? 0 : 1;
-            const bool         lateral = uniaxial && family != direction;
-            auto support          = std::make_shared<Contributions::Support>();
+            const auto along      = static_cast<unsigned int>(family);
+            const bool lateral    = uniaxial && family != direction;
+            auto       support    = std::make_shared<Contributions::Support>();
             support->where        = "Fabric loading";
-            support->nodes.fibers = family;
-            support->nodes.nodes  = side == "-" ? "first end" : "last end";
+            support->nodes.fibers = word(family);
+            support->nodes.nodes  = side == "-"
+                                      ? Contributions::ChosenNodes::first_end
+                                      : Contributions::ChosenNodes::last_end;
             if (matrix)
               support->matrix_sides = {"xy"[along] + side};
             support->displacement = {{displacements[0], displacements[1], "0"}};
             if (lateral)
               {
                 support->displacement[1 - along] = "free";
-                if (sides == "free")
+                if (sides == FreeSides::free)
                   support->displacement[along] = "free";
               }
             support->yarns_are_bodies = is_shear();
             support->angle            = angles[along];
-            if (ends == "clamped" && !(lateral && leaves_yarns_free()))
+            if (ends == SideSections::clamped &&
+                !(lateral && leaves_yarns_free()))
               {
-                support->section = is_shear() ? "turned" : "held";
+                support->section = is_shear()
+                                     ? Contributions::SupportedSection::turned
+                                     : Contributions::SupportedSection::held;
               }
             list.push_back(support);
           }
@@ -308,13 +328,14 @@ namespace Heddle
         for (const double number : numbers())
           {
             const Contributions::FabricMotion moved = motion(number);
-            list.push_back({name(number),
-                            supports(moved, matrix),
-                            moved,
-                            {{!is_shear() && (kind != "uniaxial tension" ||
-                                              direction == "warp"),
-                              !is_shear() && (kind != "uniaxial tension" ||
-                                              direction == "weft")}}});
+            list.push_back(
+              {name(number),
+               supports(moved, matrix),
+               moved,
+               {{!is_shear() && (kind != FabricTest::uniaxial_tension ||
+                                 direction == YarnSet::warp),
+                 !is_shear() && (kind != FabricTest::uniaxial_tension ||
+                                 direction == YarnSet::weft)}}});
           }
       return list;
     }

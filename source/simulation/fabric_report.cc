@@ -1,3 +1,4 @@
+#include <heddle/base/yarn_set.h>
 #include <heddle/post/centerline.h>
 #include <heddle/post/yarn_section.h>
 #include <heddle/simulation/fabric_report.h>
@@ -95,7 +96,8 @@ namespace Heddle
               const double fraction = station(i, n_stations);
               const auto   section  = Post::cut_yarn(
                 yarns[y].lines, yarns[y].radii, plane_at(mean, fraction));
-              out << y << ',' << (yarns[y].set == "warp") << ',' << fraction;
+              out << y << ',' << (yarns[y].set == word(YarnSet::warp)) << ','
+                  << fraction;
               const Tensor<1, 3> &x = section.center;
               for (const double value : {x[0],
                                          x[1],

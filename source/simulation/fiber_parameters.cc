@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/simulation/fiber_parameters.h>
 
@@ -8,18 +9,16 @@ namespace Heddle
     FiberParameters::FiberParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter(
-        "Element",
-        element_name,
-        "'hermite': slender, torsion-free, smooth, six unknowns per "
-        "node. 'director': nine unknowns per node, with torsion, "
-        "shear and strains of the section; where fibers are curved "
-        "and free to turn it takes fewer iterations. Without torsion "
-        "fibers roll on each other for nothing, and rub less: 19 of "
-        "them, squeezed between two rods with a friction of 0.2, "
-        "resisted a third as much [-].",
-        prm,
-        Patterns::Selection("hermite|director"));
+      add_choice(*this,
+                 "Element",
+                 element_kind,
+                 "'hermite': slender, torsion-free, smooth, six unknowns per "
+                 "node. 'director': nine unknowns per node, with torsion, "
+                 "shear and strains of the section; where fibers are curved "
+                 "and free to turn it takes fewer iterations. Without torsion "
+                 "fibers roll on each other for nothing, and rub less: 19 of "
+                 "them, squeezed between two rods with a friction of 0.2, "
+                 "resisted a third as much [-].");
       add_parameter("Degree",
                     degree,
                     "Polynomial degree of 'director'. Linear elements are too "
@@ -44,7 +43,7 @@ namespace Heddle
     std::unique_ptr<Beam::Element>
     FiberParameters::element() const
     {
-      return Beam::make_element(element_name, degree);
+      return Beam::make_element(element_kind, degree);
     }
 
 

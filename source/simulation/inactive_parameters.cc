@@ -1,5 +1,6 @@
 #include <heddle/base/settings.h>
 #include <heddle/simulation/inactive_parameters.h>
+#include <heddle/simulation/parameters.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -49,11 +50,15 @@ namespace Heddle
               list + "/" + name + " " + std::to_string(i) + "/";
             for (const std::string entry : {"Point", "Distance"})
               conditions.push_back(
-                {one + entry, one + "Nodes", {"near point"}});
+                {one + entry,
+                 one + "Nodes",
+                 {word(Contributions::ChosenNodes::near_point)}});
             if (name == "Support")
               for (const std::string entry : {"Turn angle", "Turn axis"})
                 conditions.push_back(
-                  {one + entry, one + "Section", {"turned"}});
+                  {one + entry,
+                   one + "Section",
+                   {word(Contributions::SupportedSection::turned)}});
           }
       }
 
@@ -64,15 +69,22 @@ namespace Heddle
       all_conditions(const ParameterFile &file)
       {
         std::vector<Condition> conditions = {
-          {"Weave", "Run/Scene", {"weave"}},
-          {"Initial configuration", "Run/Scene", {"centerlines"}, true},
+          {"Weave", "Run/Scene", {word(SceneKind::weave)}},
+          {"Initial configuration",
+           "Run/Scene",
+           {word(SceneKind::centerlines)},
+           true},
           {"Initial configuration", "Restart/Initial configuration", {""}},
-          {"Centerlines", "Run/Scene", {"weave"}, true},
+          {"Centerlines", "Run/Scene", {word(SceneKind::weave)}, true},
           {"Centerlines/Axial strain",
            "Centerlines/Straight when free",
            {"true"}},
-          {"Weave/Crimp factor", "Weave/Start", {"crimped"}},
-          {"Weave/Crimp transition", "Weave/Start", {"crimped"}},
+          {"Weave/Crimp factor",
+           "Weave/Start",
+           {word(Textile::Start::crimped)}},
+          {"Weave/Crimp transition",
+           "Weave/Start",
+           {word(Textile::Start::crimped)}},
           {"Weave/Weft yarns",
            "Weave/Weft yarns/Same as warp yarns",
            {"false"}},
@@ -84,12 +96,12 @@ namespace Heddle
            "Weave/Weft yarns/Packing perturbation",
            {"0"},
            true},
-          {"Fiber/Elements per fiber", "Run/Scene", {"weave"}},
+          {"Fiber/Elements per fiber", "Run/Scene", {word(SceneKind::weave)}},
           {"Contact", "Contact/Enabled", {"true"}},
           {"Newton/Damping", "Contact/Enabled", {"true"}},
           {"Initial configuration/Ordering",
            "Weave/Start",
-           {"interpenetrating"}},
+           {word(Textile::Start::interpenetrating)}},
           {"Matrix", "Matrix/Enabled", {"true"}},
           {"Output/Matrix", "Matrix/Enabled", {"true"}},
           {"Output/Subdivisions", "Output/Fibers", {"true"}},
@@ -101,35 +113,52 @@ namespace Heddle
           {"Matrix/Overlap depth",
            "Matrix/Leave out cells inside yarns",
            {"true"}},
-          {"Matrix/Lower corner", "Matrix/Shape", {"block"}},
-          {"Matrix/Upper corner", "Matrix/Shape", {"block"}},
-          {"Fabric loading", "Fabric loading/Kind", {"none"}, true},
+          {"Matrix/Lower corner",
+           "Matrix/Shape",
+           {word(Textile::MatrixShape::block)}},
+          {"Matrix/Upper corner",
+           "Matrix/Shape",
+           {word(Textile::MatrixShape::block)}},
+          {"Fabric loading",
+           "Fabric loading/Kind",
+           {word(FabricTest::none)},
+           true},
           {"Fabric loading/Strain",
            "Fabric loading/Kind",
-           {"biaxial tension", "uniaxial tension"}},
+           {word(FabricTest::biaxial_tension),
+            word(FabricTest::uniaxial_tension)}},
           {"Fabric loading/Strain ratios",
            "Fabric loading/Kind",
-           {"biaxial tension"}},
+           {word(FabricTest::biaxial_tension)}},
           {"Fabric loading/Direction",
            "Fabric loading/Kind",
-           {"uniaxial tension"}},
-          {"Fabric loading/Sides", "Fabric loading/Kind", {"uniaxial tension"}},
+           {word(FabricTest::uniaxial_tension)}},
+          {"Fabric loading/Sides",
+           "Fabric loading/Kind",
+           {word(FabricTest::uniaxial_tension)}},
           {"Fabric loading/Shear angles",
            "Fabric loading/Kind",
-           {"picture frame", "simple shear"}},
-          {"Linear solver/Tolerance", "Linear solver/Kind", {"direct"}, true},
+           {word(FabricTest::picture_frame), word(FabricTest::simple_shear)}},
+          {"Linear solver/Tolerance",
+           "Linear solver/Kind",
+           {word(Solver::LinearSolverKind::direct)},
+           true},
           {"Linear solver/Maximum iterations",
            "Linear solver/Kind",
-           {"direct"},
+           {word(Solver::LinearSolverKind::direct)},
            true},
-          {"Linear solver/Direct below", "Linear solver/Kind", {"automatic"}},
+          {"Linear solver/Direct below",
+           "Linear solver/Kind",
+           {word(Solver::LinearSolverKind::automatic)}},
           {"Linear solver/Direct below in a matrix",
            "Linear solver/Kind",
-           {"automatic"}},
+           {word(Solver::LinearSolverKind::automatic)}},
           {"Linear solver/Direct below with contact",
            "Linear solver/Kind",
-           {"automatic"}}};
-        conditions.push_back({"Fiber/Degree", "Fiber/Element", {"director"}});
+           {word(Solver::LinearSolverKind::automatic)}}};
+        conditions.push_back({"Fiber/Degree",
+                              "Fiber/Element",
+                              {word(Beam::ElementKind::director)}});
         std::vector<std::string> materials = {"Fiber/"};
         const unsigned int       n_materials =
           file.count_sections("Fiber", "Material");
@@ -140,8 +169,9 @@ namespace Heddle
                                           "Torsional stiffness",
                                           "Shear stiffness",
                                           "Section stiffness"})
-            conditions.push_back(
-              {material + entry, "Fiber/Element", {"director"}});
+            conditions.push_back({material + entry,
+                                  "Fiber/Element",
+                                  {word(Beam::ElementKind::director)}});
         if (value_of("Contact/Friction of sets").empty())
           for (const std::string path : {"Contact/Friction of crossed fibers",
                                          "Contact/Reversible displacement",
@@ -150,8 +180,10 @@ namespace Heddle
               {path, "Contact/Friction coefficient", {"0"}, true});
         if (file.count_sections("Supports", "Support") == 0 &&
             file.count_sections("Loads", "Load") == 0)
-          conditions.push_back(
-            {"Load stepping", "Fabric loading/Kind", {"none"}, true});
+          conditions.push_back({"Load stepping",
+                                "Fabric loading/Kind",
+                                {word(FabricTest::none)},
+                                true});
         add_numbered(file, "Supports", "Support", conditions);
         add_numbered(file, "Loads", "Load", conditions);
         return conditions;

@@ -26,7 +26,8 @@ namespace Heddle
       const std::string other  = weaves ? "Centerlines" : "Weave";
       require(file.mentions("/" + wanted) || !file.mentions("/" + other),
               file.name() + ": there is a section \"" + other +
-                "\", but Run/Scene is \"" + run.scene + "\": change that.");
+                "\", but Run/Scene is \"" + word(run.scene) +
+                "\": change that.");
       require(file.mentions("/" + wanted),
               file.name() +
                 ": the scene is empty; describe it in a section \"" + wanted +
@@ -68,10 +69,11 @@ namespace Heddle
                 "the fibers, so there is nothing to compute; set "
                 "\"Fabric loading/Kind\", or declare a section "
                 "\"Supports/Support 1\".");
-      require(!restart.stress_free || fiber.element_name == "director",
+      require(!restart.stress_free ||
+                fiber.element_kind == Beam::ElementKind::director,
               file.name() +
                 ": Restart/Stress free is true, but Fiber/Element is \"" +
-                fiber.element_name +
+                word(fiber.element_kind) +
                 "\", which knows no torsion: a curved fiber that is free of "
                 "stress would turn in its place without resistance; choose "
                 "\"director\".");

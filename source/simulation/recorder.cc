@@ -9,6 +9,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <sstream>
@@ -83,7 +84,6 @@ namespace Heddle
     {
       summary.n_fibers      = scene.space().n_fibers();
       summary.n_fiber_nodes = scene.space().n_nodes();
-      summary.n_dofs        = scene.space().n_dofs();
       summary.ranks =
         Utilities::MPI::n_mpi_processes(scene.space().communicator());
       summary.contributions = scene.contribution_names();
@@ -196,22 +196,19 @@ namespace Heddle
     void
     Recorder::begin_stage(const unsigned int stage)
     {
-      summary.n_dofs   = scene.state().n_dofs();
-      const double nan = std::numeric_limits<double>::quiet_NaN();
       if (stage == summary.stages.size())
         {
           summary.stages.emplace_back();
           summary.stages.back().name = scene.stages()[stage].name;
           if (!parameters.run.timing)
-            summary.stages.back().wall_time = {nan, nan, nan, nan, nan, nan};
+            IO::WallTime::describe(
+              [](const std::string &, double &seconds) {
+                seconds = std::numeric_limits<double>::quiet_NaN();
+              },
+              summary.stages.back().wall_time);
         }
       earlier  = summary.stages.back().wall_time;
-      at_begin = {timer.total(),
-                  timer.seconds("detection"),
-                  timer.seconds("assembly"),
-                  timer.seconds("linear solver"),
-                  timer.seconds("line search"),
-                  timer.seconds("output")};
+      at_begin = clock();
       write_summary();
     }
 
@@ -254,7 +251,7 @@ namespace Heddle
         }
       if (last)
         {
-          summary.stages[place.stage].status = "converged";
+          summary.stages[place.stage].status = IO::Status::converged;
           measure_yarns();
           write_centerlines();
         }
@@ -430,39 +427,48 @@ namespace Heddle
 
 
 
-    void
-    Recorder::update_times()
+    IO::WallTime
+    Recorder::clock() const
     {
-      if (!parameters.run.timing || summary.stages.empty())
-        return;
-      IO::WallTime &now   = summary.stages.back().wall_time;
-      const auto    since = [this](const std::string &name) {
-        return timer.seconds(name);
-      };
-      now.total = earlier.total + timer.total() - at_begin.total;
-      now.detection =
-        earlier.detection + since("detection") - at_begin.detection;
-      now.assembly = earlier.assembly + since("assembly") - at_begin.assembly;
-      now.linear_solver =
-        earlier.linear_solver + since("linear solver") - at_begin.linear_solver;
-      now.line_search =
-        earlier.line_search + since("line search") - at_begin.line_search;
-      now.output = earlier.output + since("output") - at_begin.output;
+      IO::WallTime time;
+      IO::WallTime::describe(
+        [this](std::string name, double &seconds) {
+          std::replace(name.begin(), name.end(), '_', ' ');
+          seconds = name == "total" ? timer.total() : timer.seconds(name);
+        },
+        time);
+      return time;
     }
 
 
 
     void
-    Recorder::finish(const IO::Summary::Status status,
-                     const std::string        &reason)
+    Recorder::update_times()
+    {
+      if (!parameters.run.timing || summary.stages.empty())
+        return;
+      const IO::WallTime now = clock();
+      IO::WallTime::describe(
+        [](const std::string &,
+           double      &sum,
+           const double before,
+           const double until,
+           const double since) { sum = before + until - since; },
+        summary.stages.back().wall_time,
+        earlier,
+        now,
+        at_begin);
+    }
+
+
+
+    void
+    Recorder::finish(const IO::Status status, const std::string &reason)
     {
       summary.status = status;
       summary.reason = reason;
-      if (!summary.stages.empty() && status != IO::Summary::Status::converged)
-        summary.stages.back().status =
-          status == IO::Summary::Status::not_converged ? "not converged"
-          : status == IO::Summary::Status::stopped     ? "stopped"
-                                                       : "failed";
+      if (!summary.stages.empty() && status != IO::Status::converged)
+        summary.stages.back().status = status;
       write_summary();
     }
 
@@ -472,6 +478,8 @@ namespace Heddle
     Recorder::write_summary()
     {
       update_times();
+      // A matrix is there when a stage with loads has begun.
+      summary.n_dofs = scene.state().n_dofs();
       if (const Matrix *matrix = scene.matrix())
         summary.matrix = {matrix->sizes().n_cells,
                           matrix->sizes().n_nodes,

@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/settings.h>
 #include <heddle/simulation/matrix.h>
@@ -13,40 +14,6 @@ namespace Heddle
   {
     namespace
     {
-      /** The numbers of a stage that a resumed run goes on with, by name. */
-      template <typename Action>
-      void
-      for_each_number(IO::StageSummary &stage, const Action &action)
-      {
-        const auto convert = [&](const std::string &name, auto &value) {
-          double number = value;
-          action(name, number);
-          value = number;
-        };
-        convert("steps", stage.steps);
-        convert("newton_iterations", stage.newton_iterations);
-        convert("factorizations", stage.factorizations);
-        convert("linear_iterations", stage.linear_iterations);
-        convert("contact_elements", stage.contact_elements);
-        convert("active_contact_elements", stage.active_contact_elements);
-        convert("n_dofs_per_rank", stage.n_dofs_per_rank);
-        convert("crossings_total", stage.crossings_total);
-        convert("crossings_wrong", stage.crossings_wrong);
-        convert("crossings_apart", stage.crossings_apart);
-        convert("max_penetration_ratio", stage.max_penetration_ratio);
-        convert("max_bend_ratio", stage.max_bend_ratio);
-        convert("residual_ratio", stage.residual_ratio);
-        convert("last_output", stage.last_output);
-        convert("time_total", stage.wall_time.total);
-        convert("time_detection", stage.wall_time.detection);
-        convert("time_assembly", stage.wall_time.assembly);
-        convert("time_linear_solver", stage.wall_time.linear_solver);
-        convert("time_line_search", stage.wall_time.line_search);
-        convert("time_output", stage.wall_time.output);
-      }
-
-
-
       std::string
       stage_entry(const unsigned int i, const std::string &name)
       {
@@ -60,6 +27,82 @@ namespace Heddle
       {
         return "summary/result-" + std::to_string(i) + "/" + name;
       }
+
+
+
+      /** Writes what StageSummary::describe() shows of one stage. */
+      struct StageWriter
+      {
+        void
+        operator()(const std::string &name, const std::string &text) const
+        {
+          archive.write_text(stage_entry(stage, name), text);
+        }
+
+        void
+        operator()(const std::string &name, const IO::Status &status) const
+        {
+          archive.write_text(stage_entry(stage, name), word(status));
+        }
+
+        void
+        operator()(const std::string &, const IO::WallTime &time) const
+        {
+          IO::WallTime::describe(
+            [this](const std::string &name, const double seconds) {
+              (*this)("time_" + name, seconds);
+            },
+            time);
+        }
+
+        void
+        operator()(const std::string &name, const double number) const
+        {
+          archive.write_number(stage_entry(stage, name), number);
+        }
+
+        ArchiveWriter     &archive;
+        const unsigned int stage;
+      };
+
+
+
+      /** Its counterpart. */
+      struct StageReader
+      {
+        void
+        operator()(const std::string &name, std::string &text) const
+        {
+          text = archive.read_text(stage_entry(stage, name));
+        }
+
+        void
+        operator()(const std::string &name, IO::Status &status) const
+        {
+          status =
+            choice<IO::Status>(archive.read_text(stage_entry(stage, name)));
+        }
+
+        void
+        operator()(const std::string &, IO::WallTime &time) const
+        {
+          IO::WallTime::describe(
+            [this](const std::string &name, double &seconds) {
+              (*this)("time_" + name, seconds);
+            },
+            time);
+        }
+
+        template <typename Number>
+        void
+        operator()(const std::string &name, Number &number) const
+        {
+          number = archive.read_number(stage_entry(stage, name));
+        }
+
+        const ArchiveReader &archive;
+        const unsigned int   stage;
+      };
     } // namespace
 
 
@@ -207,16 +250,8 @@ namespace Heddle
           archive.write_number(result_entry(n++, "value"), result.second);
         }
       archive.write_number("summary/n_stages", summary.stages.size());
-      auto stages = summary.stages;
-      for (unsigned int i = 0; i < stages.size(); ++i)
-        {
-          archive.write_text(stage_entry(i, "name"), stages[i].name);
-          archive.write_text(stage_entry(i, "status"), stages[i].status);
-          for_each_number(stages[i],
-                          [&](const std::string &name, const double value) {
-                            archive.write_number(stage_entry(i, name), value);
-                          });
-        }
+      for (unsigned int i = 0; i < summary.stages.size(); ++i)
+        IO::StageSummary::describe(StageWriter{archive, i}, summary.stages[i]);
     }
 
 
@@ -230,14 +265,7 @@ namespace Heddle
           archive.read_number(result_entry(i, "value"));
       summary.stages.resize(archive.read_number("summary/n_stages"));
       for (unsigned int i = 0; i < summary.stages.size(); ++i)
-        {
-          IO::StageSummary &stage = summary.stages[i];
-          stage.name              = archive.read_text(stage_entry(i, "name"));
-          stage.status            = archive.read_text(stage_entry(i, "status"));
-          for_each_number(stage, [&](const std::string &name, double &value) {
-            value = archive.read_number(stage_entry(i, name));
-          });
-        }
+        IO::StageSummary::describe(StageReader{archive, i}, summary.stages[i]);
     }
 
 

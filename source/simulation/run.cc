@@ -201,7 +201,7 @@ namespace Heddle
         if (!overlap.empty())
           log << "\nNote           " << overlap;
         if (parameters.matrix.enabled &&
-            parameters.matrix.material.law == "linear" &&
+            parameters.matrix.material.law == Solid::MaterialLaw::linear &&
             parameters.fabric_loading.largest_shear_angle() > large_angle)
           log << "\nNote           Matrix/Law is linear, which takes turns for "
                  "strains: under such shear another one is right";
@@ -255,22 +255,16 @@ namespace Heddle
 
       /** Compute the scene and leave the results in its folder. */
       void
-      compute(const CommandLine   &command_line,
-              const std::string   &directory,
-              const ParameterFile &file,
-              const Parameters    &parameters,
-              Scene               &scene,
-              Log                 &log,
-              SectionTimer        &timer,
-              StopRequest         &stop)
+      compute(const CommandLine &command_line,
+              const std::string &directory,
+              Computation       &computation,
+              Log               &log,
+              const MPI_Comm     communicator)
       {
-        const MPI_Comm communicator = scene.space().communicator();
         if (command_line.resume)
           IO::Checkpoint::require_one(directory, communicator);
         throw_together([&]() { create_folder(directory); }, communicator);
         const FolderLock lock(directory, communicator);
-        Recorder         recorder(scene, parameters, file, directory, timer);
-        Computation computation(scene, parameters, recorder, log, timer, stop);
         // Nothing is written before it is clear that the run goes on.
         if (command_line.resume)
           computation.read_checkpoint();
@@ -278,8 +272,6 @@ namespace Heddle
                  command_line.resume ? std::ios_base::app : std::ios_base::out);
         log << "Results        " << directory << std::endl;
         computation.run();
-        if (parameters.run.timing)
-          log << timer.table() << std::flush;
       }
     } // namespace
 
@@ -316,19 +308,20 @@ namespace Heddle
       spare_checkpoint(parameters.restart.initial_configuration, directory);
       Scene scene(parameters, file.name(), communicator);
       print_sizes(log, scene, parameters);
+      Recorder    recorder(scene, parameters, file, directory, timer);
+      Computation computation(scene, parameters, recorder, log, timer, stop);
       if (command_line.task == CommandLine::Task::validate)
         {
-          Recorder recorder(scene, parameters, file, directory, timer);
           if (command_line.resume)
-            Computation(scene, parameters, recorder, log, timer, stop)
-              .read_checkpoint();
+            computation.read_checkpoint();
           else if (!parameters.restart.initial_configuration.empty())
             recorder.read_initial_configuration(log);
           return;
         }
 
-      compute(
-        command_line, directory, file, parameters, scene, log, timer, stop);
+      compute(command_line, directory, computation, log, communicator);
+      if (parameters.run.timing)
+        log << timer.table() << std::flush;
     }
   } // namespace Simulation
 } // namespace Heddle

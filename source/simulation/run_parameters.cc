@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/simulation/run_parameters.h>
 
 namespace Heddle
@@ -7,17 +8,16 @@ namespace Heddle
     RunParameters::RunParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter("Scene",
-                    scene,
-                    "'weave': the fabric of section Weave is brought to its "
-                    "initial configuration. 'measured fabric': so are the "
-                    "fibers of a file, see section Centerlines, which says to "
-                    "which yarn each belongs and whether it is of the set "
-                    "'warp', along x, or 'weft', along y. 'centerlines': the "
-                    "fibers of a file are loaded as section Supports says or, "
-                    "without any supports, measured as they are [-].",
-                    prm,
-                    Patterns::Selection("weave|measured fabric|centerlines"));
+      add_choice(*this,
+                 "Scene",
+                 scene,
+                 "'weave': the fabric of section Weave is brought to its "
+                 "initial configuration. 'measured fabric': so are the "
+                 "fibers of a file, see section Centerlines, which says to "
+                 "which yarn each belongs and whether it is of the set "
+                 "'warp', along x, or 'weft', along y. 'centerlines': the "
+                 "fibers of a file are loaded as section Supports says or, "
+                 "without any supports, measured as they are [-].");
       add_parameter("Output directory",
                     output_directory,
                     "Folder of all results, as seen from where the program is "

@@ -130,8 +130,8 @@ namespace Heddle
     Scene::missing_torsion() const
     {
       constexpr double straight = 1e-6;
-      if (parameters.fiber.element_name != "hermite" || woven ||
-          parameters.centerlines.straight_when_free)
+      if (parameters.fiber.element_kind != Beam::ElementKind::hermite ||
+          woven || parameters.centerlines.straight_when_free)
         return "";
       System::State start(*fiber_space);
       start.set(initial_blocks);

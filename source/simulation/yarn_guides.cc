@@ -1,3 +1,4 @@
+#include <heddle/base/yarn_set.h>
 #include <heddle/simulation/yarn_guides.h>
 
 #include <deal.II/base/numbers.h>
@@ -18,7 +19,7 @@ namespace Heddle
       for (unsigned int f = 0; f < space.n_fibers(); ++f)
         {
           const System::Fiber &fiber = space.fiber(f);
-          const unsigned int   axis  = fiber.set == "warp" ? 0 : 1;
+          const unsigned int   axis  = fiber.set == word(YarnSet::warp) ? 0 : 1;
           Tensor<1, 3>         along;
           along[axis]                = 1.;
           const Tensor<2, 3> on_axis = outer_product(along, along);

@@ -4,10 +4,10 @@ namespace Heddle
 {
   namespace Solid
   {
-    std::string
-    LinearMaterial::name() const
+    MaterialLaw
+    LinearMaterial::law() const
     {
-      return "linear";
+      return MaterialLaw::linear;
     }
 
 

@@ -51,9 +51,9 @@ namespace Heddle
 
 
     std::unique_ptr<Material>
-    make_material(const std::string &name,
-                  const double       youngs_modulus,
-                  const double       poisson_ratio)
+    make_material(const MaterialLaw law,
+                  const double      youngs_modulus,
+                  const double      poisson_ratio)
     {
       require(youngs_modulus > 0.,
               "Young's modulus of the matrix must be positive, but it is " +
@@ -66,15 +66,19 @@ namespace Heddle
       const double bulk_modulus =
         youngs_modulus / (3. * (1. - 2. * poisson_ratio));
 
-      if (name == "linear")
-        return std::make_unique<LinearMaterial>(shear_modulus, bulk_modulus);
-      if (name == "st venant-kirchhoff")
-        return std::make_unique<StVenantKirchhoff>(shear_modulus, bulk_modulus);
-      if (name == "neo-hookean")
-        return std::make_unique<NeoHookean>(shear_modulus, bulk_modulus);
-      throw InputError("There is no law of the matrix \"" + name +
-                       "\": choose \"linear\", \"st venant-kirchhoff\" or "
-                       "\"neo-hookean\".");
+      switch (law)
+        {
+          case MaterialLaw::linear:
+            return std::make_unique<LinearMaterial>(shear_modulus,
+                                                    bulk_modulus);
+          case MaterialLaw::st_venant_kirchhoff:
+            return std::make_unique<StVenantKirchhoff>(shear_modulus,
+                                                       bulk_modulus);
+          case MaterialLaw::neo_hookean:
+            return std::make_unique<NeoHookean>(shear_modulus, bulk_modulus);
+        }
+      Assert(false, ExcInternalError());
+      return nullptr;
     }
   } // namespace Solid
 } // namespace Heddle

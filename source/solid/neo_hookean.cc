@@ -21,10 +21,10 @@ namespace Heddle
 
 
 
-    std::string
-    NeoHookean::name() const
+    MaterialLaw
+    NeoHookean::law() const
     {
-      return "neo-hookean";
+      return MaterialLaw::neo_hookean;
     }
 
 

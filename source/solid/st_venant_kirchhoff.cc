@@ -4,10 +4,10 @@ namespace Heddle
 {
   namespace Solid
   {
-    std::string
-    StVenantKirchhoff::name() const
+    MaterialLaw
+    StVenantKirchhoff::law() const
     {
-      return "st venant-kirchhoff";
+      return MaterialLaw::st_venant_kirchhoff;
     }
 
 

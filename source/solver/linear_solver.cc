@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/base/petsc.h>
 #include <heddle/solver/linear_solver.h>
 
@@ -123,16 +124,15 @@ namespace Heddle
     LinearSolverParameters::LinearSolverParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter("Kind",
-                    kind,
-                    "'direct': sparse factorization by MUMPS. 'fiber blocks': "
-                    "conjugate gradients preconditioned by a factorization of "
-                    "each fiber, a correction of how parts of yarns move and, "
-                    "in a matrix, a sweep of Gauss and Seidel over its nodes. "
-                    "With friction GMRES follows where these leave too much. "
-                    "'automatic': direct for few unknowns [-].",
-                    prm,
-                    Patterns::Selection("automatic|direct|fiber blocks"));
+      add_choice(*this,
+                 "Kind",
+                 kind,
+                 "'direct': sparse factorization by MUMPS. 'fiber blocks': "
+                 "conjugate gradients preconditioned by a factorization of "
+                 "each fiber, a correction of how parts of yarns move and, "
+                 "in a matrix, a sweep of Gauss and Seidel over its nodes. "
+                 "With friction GMRES follows where these leave too much. "
+                 "'automatic': direct for few unknowns [-].");
       add_parameter("Tolerance",
                     tolerance,
                     "Reduction of the residual's energy norm by an iterative "
@@ -240,15 +240,13 @@ namespace Heddle
 
 
     LinearResult
-    LinearSolver::solve(const bool   exactly,
-                        const bool   yarn_motions,
-                        const double looser)
+    LinearSolver::solve(const LinearTask &task)
     {
       LinearResult result;
       if (!parameters.direct(system.state.n_dofs(),
-                             /*contact=*/!exactly,
+                             /*contact=*/!task.exactly,
                              /*matrix=*/system.state.matrix() != nullptr) &&
-          (iterate(exactly, yarn_motions, looser, result) || !exactly))
+          (iterate(task, result) || !task.exactly))
         return result;
       factorize(result);
       return result;
@@ -257,23 +255,20 @@ namespace Heddle
 
 
     bool
-    LinearSolver::iterate(const bool    exactly,
-                          const bool    yarn_motions,
-                          const double  looser,
-                          LinearResult &result)
+    LinearSolver::iterate(const LinearTask &task, LinearResult &result)
     {
       if (!iterating)
         begin_iterating();
-      preconditioner->set_up(system, yarn_motions, gentle);
-      const PetscInt most = exactly && !system.state.matrix()
+      preconditioner->set_up(system, task.yarn_motions, gentle);
+      const PetscInt most = task.exactly && !system.state.matrix()
                               ? std::min(most_by_themselves, max_iterations)
                               : max_iterations;
       petsc(KSPSetOperators(iterating,
                             system.has_couplings_apart() ? symmetric.matrix()
                                                          : system.tangent(),
                             system.tangent()));
-      const bool converged =
-        run(iterating, std::min(looser * tolerance, loosest), most, result);
+      const bool converged = run(
+        iterating, std::min(task.looser * tolerance, loosest), most, result);
       // That a tangent is not positive definite is not the preconditioner's
       // fault.
       gentle = gentle || !(converged || result.indefinite);

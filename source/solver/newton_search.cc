@@ -58,11 +58,6 @@ namespace Heddle
 
       /** Of motions that count as free, over what holds back entirely [-]. */
       constexpr double least_stiffness = 1e-12;
-
-      const std::string not_arrived =
-        "supports do not get to where they are to be: contact, or elements of "
-        "fibers or cells of the matrix that would turn inside out, allow short "
-        "steps only";
     } // namespace
 
 
@@ -300,8 +295,7 @@ namespace Heddle
       equations.assemble();
       tools.damping.add_to(equations.system, equations.state, least_stiffness);
       equations.system.end();
-      const bool unstable =
-        tools.linear_solver.solve(/*exactly=*/true).indefinite;
+      const bool unstable = tools.linear_solver.solve().indefinite;
       equations.assemble(System::BlockSystem::Want::residual);
       return unstable;
     }

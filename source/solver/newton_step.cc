@@ -115,10 +115,11 @@ namespace Heddle
       // soft: the plain weave comes near in 45 instead of 52 iterations.
       // Without it after that 576 fibers take 135 instead of 86
       // (doc/what_was_tried.md).
-      linear = tools.linear_solver.solve(
-        !nonsmooth,
-        /*yarn_motions=*/!nonsmooth || equations.softness() == 0.,
-        aim == Aim::calm ? looser_before_friction : 1.);
+      LinearTask task;
+      task.exactly      = !nonsmooth;
+      task.yarn_motions = !nonsmooth || equations.softness() == 0.;
+      task.looser       = aim == Aim::calm ? looser_before_friction : 1.;
+      linear            = tools.linear_solver.solve(task);
       result.linear_iterations += linear.iterations;
       result.factorizations += linear.factorizations;
       if (learn)

@@ -50,6 +50,26 @@ namespace Heddle
                      b % n == 0 ? 1. : 1. / length);
           }
       }
+
+
+
+      /** The largest forces on a node [N]; moments as forces. */
+      struct LargestForces
+      {
+        double unbalanced = 0.;
+        double certain    = 0.; /**< unbalanced, above the last digits */
+        double on_matrix  = 0.; /**< unbalanced, on nodes of the matrix */
+        double residual   = 0.; /**< with what supports hold */
+      };
+
+
+
+      /** Of unbalanced forces on positions. */
+      struct MeanSquare
+      {
+        double sum = 0.; /**< [N^2] */
+        double n   = 0.; /**< [-] */
+      };
     } // namespace
 
 
@@ -65,21 +85,21 @@ namespace Heddle
       std::vector<Tensor<1, 3>> unbalanced;
       system.unbalanced(unbalanced);
 
-      std::array<double, 4> largest     = {};
-      std::array<double, 2> sums        = {};
-      const auto            of_position = [&](const unsigned int k) {
-        sums[0] += unbalanced[k].norm_square();
-        sums[1] += 1.;
+      LargestForces largest;
+      MeanSquare    mean_square;
+      const auto    of_position = [&](const unsigned int k) {
+        mean_square.sum += unbalanced[k].norm_square();
+        mean_square.n += 1.;
       };
       const auto of_block = [&](const unsigned int k,
                                 const double       scale,
                                 const double       last_digits) {
         const double force = scale * size_of(unbalanced[k]);
-        largest[0]         = std::max(largest[0], force);
-        largest[1] =
-          std::max(largest[1], scale * size_of(system.residual()[k]));
+        largest.unbalanced = std::max(largest.unbalanced, force);
+        largest.residual =
+          std::max(largest.residual, scale * size_of(system.residual()[k]));
         if (force > last_digits)
-          largest[3] = std::max(largest[3], force);
+          largest.certain = std::max(largest.certain, force);
       };
       for_each_fiber_block(state,
                            [&](const unsigned int k,
@@ -97,24 +117,26 @@ namespace Heddle
         {
           of_position(k);
           of_block(k, 1., negligible.of_matrix);
-          largest[2] = std::max(largest[2], size_of(unbalanced[k]));
+          largest.on_matrix =
+            std::max(largest.on_matrix, size_of(unbalanced[k]));
         }
       max_over_ranks(largest, space.communicator());
-      sum_over_ranks(sums, space.communicator());
+      sum_over_ranks(mean_square, space.communicator());
 
       double typical = 0.;
       for (const auto &contribution : contributions)
         typical = std::max(typical, contribution->typical_force());
       if (typical == 0.)
-        typical = largest[1];
+        typical = largest.residual;
 
       Residual residual;
-      residual.largest_force = largest[0];
-      if (largest[3] > 0.)
+      residual.largest_force = largest.unbalanced;
+      if (largest.certain > 0.)
         {
-          residual.ratio        = largest[3] / typical;
-          residual.matrix_ratio = largest[2] / typical;
-          residual.mean_ratio   = std::sqrt(sums[0] / sums[1]) / typical;
+          residual.ratio        = largest.certain / typical;
+          residual.matrix_ratio = largest.on_matrix / typical;
+          residual.mean_ratio =
+            std::sqrt(mean_square.sum / mean_square.n) / typical;
         }
       residual.pending = pending_motion(constraints, space.communicator());
       return residual;

@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/textile/matrix_mesh_parameters.h>
 
 #include <deal.II/base/patterns.h>
@@ -10,12 +11,11 @@ namespace Heddle
     MatrixMeshParameters::add_parameters(ParameterAcceptor &owner)
     {
       ParameterHandler &prm = ParameterAcceptor::prm;
-      owner.add_parameter("Shape",
-                          shape,
-                          "What the mesh looks like: 'fabric' (a coating whose "
-                          "surfaces follow the fabric) or 'block' (a box) [-].",
-                          prm,
-                          Patterns::Selection("fabric|block"));
+      add_choice(owner,
+                 "Shape",
+                 mesh.shape,
+                 "What the mesh looks like: 'fabric' (a coating whose "
+                 "surfaces follow the fabric) or 'block' (a box) [-].");
       for (const unsigned int d : {0, 1})
         {
           const std::string axis(1, "xy"[d]);
@@ -78,17 +78,6 @@ namespace Heddle
                           mesh.high_corner,
                           "Corner of the block with the largest coordinates. "
                           "Inactive unless Shape is 'block' [mm].");
-    }
-
-
-
-    MatrixMeshDescription
-    MatrixMeshParameters::description() const
-    {
-      MatrixMeshDescription result = mesh;
-      result.shape =
-        shape == "block" ? MatrixShape::block : MatrixShape::fabric;
-      return result;
     }
   } // namespace Textile
 } // namespace Heddle

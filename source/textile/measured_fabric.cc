@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/yarn_set.h>
 #include <heddle/textile/extent.h>
 #include <heddle/textile/measured_fabric.h>
 
@@ -13,7 +14,8 @@ namespace Heddle
   {
     namespace
     {
-      const std::array<std::string, 2> sets = {{"warp", "weft"}};
+      const std::array<std::string, 2> sets = {
+        {word(YarnSet::warp), word(YarnSet::weft)}};
 
       /** Of a yarn's length, that a fiber should not lack at an end [-]. */
       constexpr double large_part = 0.1;

@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/yarn_set.h>
 #include <heddle/textile/weave.h>
 
 #include <deal.II/base/numbers.h>
@@ -191,7 +192,7 @@ namespace Heddle
               path.yarn_id =
                 direction == warp ? i : description.warp.n_yarns + i;
               path.bundle_id = f / yarns.packing.fibers_per_bundle;
-              path.set       = direction == warp ? "warp" : "weft";
+              path.set       = word(YarnSet(direction));
               paths.push_back(path);
             }
         }

@@ -1,7 +1,7 @@
 // What is to be said of a weave that is laid out as it was asked for.
+#include <heddle/base/yarn_set.h>
 #include <heddle/textile/weave.h>
 
-#include <array>
 #include <iomanip>
 #include <sstream>
 
@@ -9,13 +9,6 @@ namespace Heddle
 {
   namespace Textile
   {
-    namespace
-    {
-      const std::array<std::string, 2> names = {{"warp", "weft"}};
-    }
-
-
-
     std::vector<std::string>
     Weave::notes() const
     {
@@ -39,7 +32,7 @@ namespace Heddle
           std::ostringstream text;
           text << std::setprecision(3) << "Weave/End length is "
                << description.end_length << ": yarns end within the last "
-               << names[crossed]
+               << word(YarnSet(crossed))
                << " yarns that they cross, and their fibers may slip off; "
                   "these need "
                << half / spacings[crossed] << ", better 1";
@@ -61,7 +54,7 @@ namespace Heddle
               width <= (1. + round_off) * spacings[direction])
             continue;
           std::ostringstream text;
-          text << std::setprecision(3) << "Weave: " << names[direction]
+          text << std::setprecision(3) << "Weave: " << word(YarnSet(direction))
                << " yarns are " << width << " mm wide and "
                << spacings[direction]
                << " mm apart, so that neighbours begin in each other; choose "
@@ -87,9 +80,10 @@ namespace Heddle
               n_on_top += direction == warp ? pattern.warp_on_top(i, j)
                                             : !pattern.warp_on_top(j, i);
             if (n_crossed > 1 && (n_on_top == 0 || n_on_top == n_crossed))
-              return "Weave: " + names[direction] + " yarn " +
-                     std::to_string(i) + " lies on the same side of all " +
-                     names[other(direction)] +
+              return "Weave: " + std::string(word(YarnSet(direction))) +
+                     " yarn " + std::to_string(i) +
+                     " lies on the same side of all " +
+                     word(YarnSet(other(direction))) +
                      " yarns, so that nothing holds it in the fabric; see "
                      "Pattern";
           }

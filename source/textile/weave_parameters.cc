@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/textile/linear_density.h>
 #include <heddle/textile/weave_parameters.h>
 
@@ -38,14 +39,13 @@ namespace Heddle
                     "meaning warp on top. Repeated over the sample. "
                     "Inactive unless Run/Scene is 'weave', like all of this "
                     "section [-].");
-      add_parameter("Start",
-                    start,
-                    "Geometry from which the initial configuration is "
-                    "computed: 'interpenetrating' (straight yarns in one "
-                    "plane) or 'crimped' (yarns bent over and under each "
-                    "other, every fiber on its side of those it crosses) [-].",
-                    prm,
-                    Patterns::Selection("interpenetrating|crimped"));
+      add_choice(*this,
+                 "Start",
+                 weave.start,
+                 "Geometry from which the initial configuration is "
+                 "computed: 'interpenetrating' (straight yarns in one "
+                 "plane) or 'crimped' (yarns bent over and under each "
+                 "other, every fiber on its side of those it crosses) [-].");
       add_parameter("End length",
                     weave.end_length,
                     "Length of yarn beyond its last crossing, as a fraction of "
@@ -141,14 +141,13 @@ namespace Heddle
                     "known [g/cm^3].",
                     prm,
                     Patterns::Double(0.));
-      add_parameter("Packing",
-                    entries.layout,
-                    "How the fibers lie in the section: 'rows' (bundles side "
-                    "by side, each of staggered rows, 12 fibers being 4 x 3) "
-                    "or 'hexagonal' (the whole yarn compact and round, its "
-                    "bundles being sectors) [-].",
-                    prm,
-                    Patterns::Selection("rows|hexagonal"));
+      add_choice(*this,
+                 "Packing",
+                 packing.layout,
+                 "How the fibers lie in the section: 'rows' (bundles side "
+                 "by side, each of staggered rows, 12 fibers being 4 x 3) "
+                 "or 'hexagonal' (the whole yarn compact and round, its "
+                 "bundles being sectors) [-].");
       add_parameter("Packing spacing",
                     packing.spacing,
                     "Distance between the axes of neighbouring fibers over the "
@@ -178,16 +177,12 @@ namespace Heddle
       const auto family = [](const Entries &entries, const std::string &where) {
         YarnFamily yarns   = entries.yarns;
         yarns.packing.seed = entries.seed;
-        yarns.packing.layout =
-          entries.layout == "hexagonal" ? Layout::hexagonal : Layout::rows;
         if (entries.linear_density > 0.)
           lump_filaments(yarns, entries.linear_density, "Weave/" + where);
         return yarns;
       };
       WeaveDescription result = weave;
-      result.start =
-        start == "crimped" ? Start::crimped : Start::interpenetrating;
-      result.warp = family(warp, "Warp yarns");
+      result.warp             = family(warp, "Warp yarns");
       result.weft = weft_is_warp ? result.warp : family(weft, "Weft yarns");
       return result;
     }

@@ -1,6 +1,8 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/textile/weave_pattern.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <numeric>
 #include <regex>
@@ -69,19 +71,28 @@ namespace Heddle
 
 
 
-      /** Build the weave called @p name from its two numbers. */
+      /** A weave that has a name and two numbers, which may be left out. */
+      struct Named
+      {
+        std::string  name;
+        unsigned int usual_m, usual_n;
+        Rows (*build)(const unsigned int m, const unsigned int n);
+      };
+
+      const std::array<Named, 3> all_named = {{{"twill", 2, 2, twill},
+                                               {"satin", 5, 2, satin},
+                                               {"basket", 2, 2, basket}}};
+
+
+
       Rows
-      named(const std::string &name, const unsigned int m, const unsigned int n)
+      build(const Named &weave, const unsigned int m, const unsigned int n)
       {
         if (m == 0 || n == 0 || m > 64 || n > 64)
-          throw InputError("Weave pattern '" + name + " " + std::to_string(m) +
-                           "/" + std::to_string(n) +
+          throw InputError("Weave pattern '" + weave.name + " " +
+                           std::to_string(m) + "/" + std::to_string(n) +
                            "': both numbers must lie between 1 and 64.");
-        if (name == "twill")
-          return twill(m, n);
-        if (name == "satin")
-          return satin(m, n);
-        return basket(m, n);
+        return weave.build(m, n);
       }
 
 
@@ -114,16 +125,21 @@ namespace Heddle
     {
       static const std::regex plain_form("\\s*plain\\s*");
       static const std::regex named_form(
-        "\\s*(twill|satin|basket)(\\s+(\\d{1,4})\\s*/\\s*(\\d{1,4}))?\\s*");
+        "\\s*([a-z]+)(\\s+(\\d{1,4})\\s*/\\s*(\\d{1,4}))?\\s*");
       static const std::regex matrix_form("[01;\\s]*[01][01;\\s]*");
 
       std::smatch match;
+      const bool  is_name = std::regex_match(text, match, named_form);
+      const auto  weave =
+        std::find_if(all_named.begin(), all_named.end(), [&](const Named &one) {
+          return is_name && match[1] == one.name;
+        });
       if (std::regex_match(text, plain_form))
         rows = basket(1, 1);
-      else if (std::regex_match(text, match, named_form))
+      else if (weave != all_named.end())
         rows = match[2].matched
-                 ? named(match[1], std::stoul(match[3]), std::stoul(match[4]))
-                 : named(match[1], match[1] == "satin" ? 5 : 2, 2);
+                 ? build(*weave, std::stoul(match[3]), std::stoul(match[4]))
+                 : build(*weave, weave->usual_m, weave->usual_n);
       else if (std::regex_match(text, matrix_form))
         rows = matrix(text);
       else

@@ -2,6 +2,8 @@
 // constant twist on elements of uneven length: the strains are the same
 // everywhere, no node within is out of balance, and the energy is exactly that
 // of EA, EI and GJ, whatever moduli and Poisson's ratio.
+#include <heddle/base/choice.h>
+
 #include "random_element.h"
 
 #include <functional>
@@ -130,7 +132,8 @@ print(const std::string &name,
 void
 test(const Kind &kind, const double shear_modulus, const double poisson_ratio)
 {
-  const auto element = Heddle::Beam::make_element(kind.name, kind.degree);
+  const auto element = Heddle::Beam::make_element(
+    Heddle::choice<Heddle::Beam::ElementKind>(kind.name), kind.degree);
   const auto section = Heddle::Beam::circular_section(/*radius=*/1.,
                                                       /*axial_modulus=*/1.,
                                                       shear_modulus,

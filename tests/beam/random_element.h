@@ -1,6 +1,7 @@
 #ifndef heddle_tests_beam_random_element_h
 #define heddle_tests_beam_random_element_h
 
+#include <heddle/base/choice.h>
 #include <heddle/beam/element.h>
 
 #include "../tests.h"
@@ -46,7 +47,9 @@ class RandomElement
 {
 public:
   RandomElement(const Kind &kind, const unsigned int seed)
-    : element(Heddle::Beam::make_element(kind.name, kind.degree))
+    : element(Heddle::Beam::make_element(
+        Heddle::choice<Heddle::Beam::ElementKind>(kind.name),
+        kind.degree))
     , generator(seed)
     , blocks(straight())
     , reference_strains(element->n_strains())

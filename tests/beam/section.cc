@@ -24,7 +24,7 @@ energy(const Heddle::Beam::Section &section,
   blocks[1][1] = blocks[4][1] = stretch(first);
   blocks[2][2] = blocks[5][2] = stretch(second);
   const std::vector<double> reference(12, 0.);
-  return Heddle::Beam::make_element("director", 1)
+  return Heddle::Beam::make_element(Beam::ElementKind::director, 1)
     ->assemble(section,
                blocks.data(),
                /*length=*/1.,
@@ -97,9 +97,9 @@ constexpr double bent_radius = 1., kappa = .4;
 double
 stretch(const Beam::Section &section, const unsigned int degree, double angle)
 {
-  const auto   element = Beam::make_element("director", degree);
-  const double length  = angle / kappa;
-  const auto   blocks  = [&](const double first, const double second) {
+  const auto element  = Beam::make_element(Beam::ElementKind::director, degree);
+  const double length = angle / kappa;
+  const auto   blocks = [&](const double first, const double second) {
     std::vector<Tensor<1, 3>> result;
     for (unsigned int node = 0; node <= degree; ++node)
       {
@@ -243,10 +243,9 @@ void
 input_errors()
 {
   using namespace Beam;
-  report([]() { make_element("cubic", 3); });
-  report([]() { make_element("director", 4); });
-  report([]() { make_element("director", 2); });
-  report([]() { make_element("hermite", 0); });
+  report([]() { make_element(ElementKind::director, 4); });
+  report([]() { make_element(ElementKind::director, 2); });
+  report([]() { make_element(ElementKind::hermite, 0); });
   report([]() { circular_section(-1., 1., 1., .3); });
   report([]() { circular_section(1., 0., 1., .3); });
   report([]() { circular_section(1., 1., -2., .3); });

@@ -1,6 +1,7 @@
 #ifndef heddle_tests_contact_contact_scene_h
 #define heddle_tests_contact_contact_scene_h
 
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_contact.h>
 
 #include "knots.h"
@@ -27,7 +28,9 @@ public:
                const std::vector<unsigned int> &n_intervals,
                const Options                   &options)
     : space(MPI_COMM_WORLD,
-            Heddle::Beam::make_element(options.element, options.degree),
+            Heddle::Beam::make_element(
+              Heddle::choice<Heddle::Beam::ElementKind>(options.element),
+              options.degree),
             describe(paths, n_intervals, options))
     , state(space)
   {

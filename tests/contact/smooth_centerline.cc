@@ -2,6 +2,7 @@
 // material point sum to one, quadratic curves are reproduced (cubic ones by the
 // C1 element), the slope has no jump at nodes, and the knots that contact sees
 // are the same curve.
+#include <heddle/base/choice.h>
 #include <heddle/contact/curve.h>
 #include <heddle/system/fiber_space.h>
 
@@ -65,7 +66,10 @@ examine(const std::string &name,
   fiber.bundle_id = 0;
   fiber.section   = Heddle::Beam::circular_section(1., 1., 0.4, 0.25);
   const FiberSpace space(
-    MPI_COMM_WORLD, Heddle::Beam::make_element(name, degree), {fiber});
+    MPI_COMM_WORLD,
+    Heddle::Beam::make_element(Heddle::choice<Heddle::Beam::ElementKind>(name),
+                               degree),
+    {fiber});
 
   const unsigned int        per_node = space.n_blocks_per_node();
   const unsigned int        n_nodes  = space.fiber(0).n_nodes;

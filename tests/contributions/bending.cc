@@ -1,5 +1,7 @@
 // Cantilevers through contributions, block system and solver: under a tip
 // force, and under end moments in the plane and in space.
+#include <heddle/base/choice.h>
+
 #include "scene.h"
 
 #include <iomanip>
@@ -18,7 +20,8 @@ tip_force()
     for (const double slenderness : {10., 100., 1000., 10000.})
       {
         Scene scene;
-        scene.fibers.element_name           = element;
+        scene.fibers.element_kind =
+          Heddle::choice<Heddle::Beam::ElementKind>(element);
         scene.fibers.degree                 = 3;
         scene.fibers.material.axial_modulus = 1.;
         scene.fibers.material.poisson_ratio = 0.;
@@ -60,8 +63,8 @@ public:
          const unsigned int                n_knots,
          const std::array<std::string, 3> &moment)
   {
-    fibers.element_name           = element;
-    fibers.degree                 = degree;
+    fibers.element_kind = Heddle::choice<Heddle::Beam::ElementKind>(element);
+    fibers.degree       = degree;
     fibers.material.axial_modulus = 4e12 / M_PI;
     fibers.material.poisson_ratio = 0.3;
     clamp("first end");

@@ -2,6 +2,7 @@
 // configurations: central differences approach them with the order two. The
 // tangent is the derivative of the forces for motion along z, and the slope and
 // curvature that the line search is told are those of forces and tangent.
+#include <heddle/base/choice.h>
 #include <heddle/contributions/crossing_enforcement.h>
 #include <heddle/simulation/fiber_placement.h>
 
@@ -176,7 +177,7 @@ check(const Simulation::FiberParameters &fiber, const unsigned int seed)
 
   const auto assembled = scene.assembled(any);
   const auto told = scene.enforcement.slope_and_curvature(scene.state, any);
-  deallog << fiber.element_name << " " << seed << ": active "
+  deallog << word(fiber.element_kind) << " " << seed << ": active "
           << static_cast<unsigned int>(scene.n_active())
           << ", order of the forces "
           << order([&](const double h) { return scene.energy(any, h); },
@@ -205,7 +206,7 @@ main(int argc, char **argv)
   for (const std::string name : {"hermite", "director"})
     for (unsigned int seed = 1; seed <= 3; ++seed)
       {
-        fiber.element_name = name;
+        fiber.element_kind = choice<Beam::ElementKind>(name);
         check(fiber, seed);
       }
 }

@@ -3,6 +3,7 @@
 // give mu N in any number of steps; an end that is pushed on a fiber at an
 // angle slides with less than mu, straight on without friction; and ends that
 // meet have forces.
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_friction.h>
 
 #include "scene.h"
@@ -18,7 +19,8 @@ prescribe(Scene             &scene,
           const std::string &along_x,
           const std::string &along_z)
 {
-  scene.fibers.element_name           = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene.fibers.material.axial_modulus = 1e4;
   for (const std::string fiber : {"0", "1"})
     {

@@ -2,6 +2,7 @@
 // along it. Friction follows Coulomb's law with a reversible displacement: the
 // force rises by mu N / u_r per displacement, stays at mu N, turns around with
 // the motion; what it does in a cycle is what the step by step sum says.
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_friction.h>
 
 #include "scene.h"
@@ -23,7 +24,8 @@ describe(Scene                      &scene,
          const std::string          &drag,
          const std::string          &pull)
 {
-  scene.fibers.element_name           = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene.fibers.material.axial_modulus = modulus;
   scene.newton.residual_tolerance     = 1e-12;
   contact.friction                    = friction;
@@ -35,9 +37,10 @@ describe(Scene                      &scene,
       auto &support        = scene.clamp(end, "1");
       support.displacement = {{drag, "0", "free"}};
       auto &load           = scene.add_load();
-      load.nodes.nodes     = end;
-      load.nodes.fibers    = "1";
-      load.force           = {{pull, "0", "-0.5"}};
+      load.nodes.nodes =
+        Heddle::choice<Heddle::Contributions::ChosenNodes>(end);
+      load.nodes.fibers = "1";
+      load.force        = {{pull, "0", "-0.5"}};
     }
   const Tensor<1, 3> x({1., 0., 0.}), y({0., 1., 0.}), z({0., 0., 1.});
   const double       half = 0.5 * length, height = 1.999 * radius;

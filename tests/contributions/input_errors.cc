@@ -1,4 +1,5 @@
 // What a user can do wrong with supports and loads is told in one sentence.
+#include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/parameter_file.h>
 
@@ -55,7 +56,8 @@ build(const std::function<void(Scene &)> &describe,
 {
   expect_error([&]() {
     Scene scene;
-    scene.fibers.element_name = element;
+    scene.fibers.element_kind =
+      Heddle::choice<Heddle::Beam::ElementKind>(element);
     describe(scene);
     std::vector<Textile::FiberPath> paths;
     for (const double y : {0., 1.})
@@ -95,12 +97,13 @@ main(int argc, char **argv)
   });
   build([](Scene &scene) {
     scene.clamp("first end");
-    scene.clamp("both ends").section = "turned";
+    scene.clamp("both ends").section =
+      Heddle::Contributions::SupportedSection::turned;
   });
   build(
     [](Scene &scene) {
       auto &support        = scene.clamp("first end");
-      support.section      = "free";
+      support.section      = Heddle::Contributions::SupportedSection::free;
       support.held_tangent = {"x"};
     },
     "director");

@@ -1,23 +1,26 @@
 // One Newton step leaves nothing of the forces to first order.
+#include <heddle/base/choice.h>
+
 #include "../verification/composite.h"
 #include "newton_step.h"
 
 std::unique_ptr<Scene>
 make_scene(const std::string &element)
 {
-  auto scene                           = std::make_unique<Scene>();
-  scene->fibers.element_name           = element;
+  auto scene = std::make_unique<Scene>();
+  scene->fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene->fibers.degree                 = 2;
   scene->fibers.material.axial_modulus = 1e3;
   scene->clamp("first end");
   auto &turned           = scene->add_support();
-  turned.nodes.nodes     = "last end";
+  turned.nodes.nodes     = Heddle::Contributions::ChosenNodes::last_end;
   turned.displacement[1] = "0.3*t";
-  turned.section         = "turned";
+  turned.section         = Heddle::Contributions::SupportedSection::turned;
   turned.angle           = "t";
   turned.axis            = Tensor<1, 3>({1., 2., 3.});
   auto &load             = scene->add_load();
-  load.nodes.nodes       = "all";
+  load.nodes.nodes       = Heddle::Contributions::ChosenNodes::all;
   load.force             = {{"1", "2", "x"}};
   load.moment            = {{"2", "1", "-1"}};
   scene->build({straight_path(Tensor<1, 3>(),
@@ -76,7 +79,8 @@ test_composite(const std::string &element,
     mesh(3, 2, Tensor<1, 3>({3., 1., 1.})) + " set Law = " + law +
     "\n set Coupling points per element = " + std::to_string(n_points) +
     "\n set Coupling stiffness factor = 20\n");
-  scene.fibers.element_name           = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene.fibers.material.axial_modulus = 100.;
   scene.hold({"x-"}).displacement     = {{"0", "0", "0"}};
   scene.embed({straight_path(Tensor<1, 3>({0.1, 0.2, 0.3}),

@@ -1,6 +1,7 @@
 // Pieces of foreign fibers that a rank holds: every interval that comes near an
 // own fiber is among them, by distances between many points; the centerline in
 // between is that of the whole fiber; and they are not all that there is.
+#include <heddle/base/choice.h>
 #include <heddle/contributions/near_fibers.h>
 
 #include "../tests.h"
@@ -53,7 +54,7 @@ make_space(const std::string &element, const unsigned int degree)
     Beam::circular_section(0.1, /*axial=*/1., /*shear=*/0.4, /*poisson=*/0.25);
   return std::make_unique<System::FiberSpace>(
     MPI_COMM_WORLD,
-    Beam::make_element(element, degree),
+    Beam::make_element(choice<Beam::ElementKind>(element), degree),
     std::vector<System::FiberSpace::Description>(n_fibers, fiber));
 }
 

@@ -69,7 +69,7 @@ take_newton_step(SceneType &scene)
   system.end();
   system.unbalanced(result.before);
   Solver::LinearSolver solver(scene.linear, system);
-  solver.solve(true);
+  solver.solve();
   System::Increment step;
   system.extract_increment(step);
 

@@ -1,5 +1,6 @@
 // What keeps Newton's method from going astray: sections are held back, and
 // elements that are turned back on themselves are objected to.
+#include <heddle/base/choice.h>
 #include <heddle/base/petsc.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/system/block_system.h>
@@ -15,7 +16,7 @@ public:
   explicit Pair(const bool with_friction)
     : damping(with_friction)
   {
-    fibers.element_name = "director";
+    fibers.element_kind = Heddle::Beam::ElementKind::director;
     fibers.degree       = 1;
     const Tensor<1, 3> along({1., 0., 0.}), beside({0., 1., 0.});
     build({straight_path({}, along, /*n_knots=*/5, /*radius=*/0.1),
@@ -120,7 +121,8 @@ examine(const std::string &element,
         const Motion      &motion)
 {
   Scene scene;
-  scene.fibers.element_name = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   auto path = straight_path({}, Tensor<1, 3>({8., 0., 0.}), 9, 0.25);
   for (unsigned int i = 0; i < path.points.size(); ++i)
     path.points[i] = motion(i);

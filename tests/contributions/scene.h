@@ -1,6 +1,7 @@
 #ifndef heddle_tests_contributions_scene_h
 #define heddle_tests_contributions_scene_h
 
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/contributions/loads.h>
 #include <heddle/contributions/support_parameters.h>
@@ -53,10 +54,10 @@ public:
   clamp(const std::string &nodes, const std::string &fibers = "all")
   {
     auto &support        = add_support();
-    support.nodes.nodes  = nodes;
+    support.nodes.nodes  = choice<Contributions::ChosenNodes>(nodes);
     support.nodes.fibers = fibers;
     support.displacement = {{"0", "0", "0"}};
-    support.section      = "held";
+    support.section      = Contributions::SupportedSection::held;
     return support;
   }
 

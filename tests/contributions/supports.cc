@@ -3,6 +3,8 @@
 // all supports and the loads sum to nothing, as do their moments. Zeros are
 // printed as the number of radii, forces in units of the axial stiffness times
 // 1e-6.
+#include <heddle/base/choice.h>
+
 #include "scene.h"
 
 const double radius = 0.01;
@@ -20,8 +22,9 @@ rounded(const double x)
 std::unique_ptr<Scene>
 make_scene(const std::string &element)
 {
-  auto scene                           = std::make_unique<Scene>();
-  scene->fibers.element_name           = element;
+  auto scene = std::make_unique<Scene>();
+  scene->fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene->fibers.degree                 = 2;
   scene->fibers.material.axial_modulus = 1. / (M_PI * radius * radius);
   return scene;
@@ -50,10 +53,10 @@ test_displacements(const std::string &element)
   const auto scene = make_scene(element);
   scene->clamp("first end");
   auto &moved              = scene->add_support();
-  moved.nodes.nodes        = "last end";
+  moved.nodes.nodes        = Heddle::Contributions::ChosenNodes::last_end;
   moved.displacement       = {{"0.02*t*(1+y)", "free", "0.1*t*x"}};
   auto &middle             = scene->add_support();
-  middle.nodes.nodes       = "near point";
+  middle.nodes.nodes       = Heddle::Contributions::ChosenNodes::near_point;
   middle.nodes.point       = Point<3>(0.5, 0.25, 0.);
   middle.nodes.distance    = 0.26;
   middle.displacement[2]   = "0";
@@ -93,7 +96,7 @@ test_turn(const std::string &element)
   const auto scene = make_scene(element);
   scene->clamp("first end");
   auto &turned           = scene->clamp("last end");
-  turned.section         = "turned";
+  turned.section         = Heddle::Contributions::SupportedSection::turned;
   turned.angle           = "0.5*t";
   turned.axis            = Tensor<1, 3>({0., 0., 2.});
   turned.displacement[0] = "0.02*t";
@@ -143,7 +146,7 @@ test_tangent_component()
 {
   const auto scene         = make_scene("hermite");
   auto      &held          = scene->clamp("both ends");
-  held.section             = "free";
+  held.section             = Heddle::Contributions::SupportedSection::free;
   held.held_tangent        = {"z"};
   auto &load               = scene->add_load();
   load.force_per_length[1] = load.force_per_length[2] = "1e-5*t";

@@ -1,6 +1,7 @@
 #ifndef heddle_tests_coupling_random_link_h
 #define heddle_tests_coupling_random_link_h
 
+#include <heddle/base/choice.h>
 #include <heddle/coupling/link.h>
 #include <heddle/system/fiber_space.h>
 
@@ -50,7 +51,8 @@ public:
     fiber.element_lengths                         = {1.2, 0.9, 1.1, 1.4};
     const Heddle::System::FiberSpace space(
       MPI_COMM_WORLD,
-      Heddle::Beam::make_element(kind.name, kind.of_fiber),
+      Heddle::Beam::make_element(
+        Heddle::choice<Heddle::Beam::ElementKind>(kind.name), kind.of_fiber),
       {fiber});
     const auto particle = space.locate(0, 2.3 + 2. * number());
     for (unsigned int i = 0; i < particle.values.size(); ++i)

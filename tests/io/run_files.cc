@@ -24,7 +24,7 @@ void
 summary_and_history()
 {
   Heddle::IO::Summary summary;
-  summary.status        = Heddle::IO::Summary::Status::not_converged;
+  summary.status        = Heddle::IO::Status::not_converged;
   summary.reason        = "The step fell below 1e-4 in the stage \"settle\".";
   summary.n_fibers      = 28;
   summary.n_fiber_nodes = 700;
@@ -34,7 +34,7 @@ summary_and_history()
 
   Heddle::IO::StageSummary stage;
   stage.name                  = "settle";
-  stage.status                = "not converged";
+  stage.status                = Heddle::IO::Status::not_converged;
   stage.steps                 = 3;
   stage.newton_iterations     = 21;
   stage.contact_elements      = 900;
@@ -140,7 +140,9 @@ checkpoints()
   const auto read_as =
     [&](const std::vector<Heddle::System::FiberSpace::Description> &fibers) {
       const Heddle::System::FiberSpace space(
-        MPI_COMM_WORLD, Heddle::Beam::make_element("hermite", 3), fibers);
+        MPI_COMM_WORLD,
+        Heddle::Beam::make_element(Heddle::Beam::ElementKind::hermite, 3),
+        fibers);
       Heddle::System::State state(space);
       Checkpoint(space, directory, 2).read(last, state, nothing_read);
     };

@@ -91,7 +91,8 @@ struct WavyFabric
 
   WavyFabric(const MPI_Comm communicator)
     : space(communicator,
-            Heddle::Beam::make_element("hermite", /*degree=*/3),
+            Heddle::Beam::make_element(Heddle::Beam::ElementKind::hermite,
+                                       /*degree=*/3),
             fibers())
     , state(space)
   {

@@ -1,5 +1,6 @@
 // What is told of the centerlines of fibers is the same on any number of ranks:
 // their points, their sharpest bend, and their table.
+#include <heddle/base/choice.h>
 #include <heddle/post/bend.h>
 #include <heddle/post/centerline.h>
 #include <heddle/simulation/fiber_placement.h>
@@ -57,8 +58,8 @@ void
 print_points(const std::string &element)
 {
   Simulation::FiberParameters parameters("/Fiber " + element);
-  parameters.element_name                     = element;
-  parameters.elements_per_fiber               = 16;
+  parameters.element_kind       = choice<Beam::ElementKind>(element);
+  parameters.elements_per_fiber = 16;
   const std::vector<Textile::FiberPath> paths = {
     quarter(1., 16), quarter(2., 16), quarter(3., 16)};
   const PlacedFibers fibers(paths, parameters);
@@ -123,8 +124,8 @@ sharpest(const std::string &element,
          const double       radius_of_fiber)
 {
   Simulation::FiberParameters parameters("/Fiber " + element);
-  parameters.element_name                     = element;
-  parameters.elements_per_fiber               = n_elements;
+  parameters.element_kind       = choice<Beam::ElementKind>(element);
+  parameters.elements_per_fiber = n_elements;
   const std::vector<Textile::FiberPath> paths = {
     wave(1., n_elements, radius_of_fiber),
     wave(2., n_elements, radius_of_fiber),

@@ -6,6 +6,7 @@
 // decides to which side each one falls. Over 240 starts that differed by 1e-9
 // the largest penetration was 0.21 R (the stage promises 0.3 R between yarns)
 // and the widest yarn 5.8 R (a row of touching fibers has 4 R).
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/post/crossing_order.h>
@@ -82,7 +83,7 @@ order(const std::string &pattern, const std::string &element)
 {
   const Textile::Weave        weave(two_yarns(pattern));
   Simulation::FiberParameters fiber;
-  fiber.element_name           = element;
+  fiber.element_kind           = choice<Beam::ElementKind>(element);
   fiber.material.axial_modulus = 1000.;
   const auto    paths          = weave.paths(24);
   const auto    space = Simulation::make_space(paths, fiber, MPI_COMM_WORLD);

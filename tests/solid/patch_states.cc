@@ -3,6 +3,8 @@
 // node within is out of balance, and the energy is that of a homogeneous block.
 // The exact stresses are closed forms for stretches along the axes, then
 // turned.
+#include <heddle/base/choice.h>
+
 #include "test_cell.h"
 
 #include <map>
@@ -107,8 +109,9 @@ void
 test(const std::string &law, const unsigned int degree, const bool mean)
 {
   const double nu       = .45;
-  const auto   material = Heddle::Solid::make_material(law, 2., nu);
-  const Exact  expected =
+  const auto   material = Heddle::Solid::make_material(
+    Heddle::choice<Heddle::Solid::MaterialLaw>(law), 2., nu);
+  const Exact expected =
     exact(law, {{1.3, .9, .8}}, 1. / (1. + nu), 2. / (3. - 6. * nu));
 
   // Stretches along rotated axes, then a rotation for laws that allow it.

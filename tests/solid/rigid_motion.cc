@@ -1,4 +1,6 @@
 // A rigid motion changes nothing in a cell, and nothing else costs no energy.
+#include <heddle/base/choice.h>
+
 #include "../eigenmodes.h"
 #include "test_cell.h"
 
@@ -102,12 +104,14 @@ moved_cells()
         random.disturb(reference, .15 / degree);
         const Tensor<2, 3> H = random.tensor(1.);
 
-        const auto hooke = Heddle::Solid::make_material("linear", 2.5, .35);
-        TestCell   linear(*hooke, degree, reference, mean_dilatation);
+        const auto hooke = Heddle::Solid::make_material(
+          Heddle::Solid::MaterialLaw::linear, 2.5, .35);
+        TestCell linear(*hooke, degree, reference, mean_dilatation);
         for (const std::string &law : all_laws)
           {
-            const auto material = Heddle::Solid::make_material(law, 2.5, .35);
-            TestCell   cell(*material, degree, reference, mean_dilatation);
+            const auto material = Heddle::Solid::make_material(
+              Heddle::choice<Heddle::Solid::MaterialLaw>(law), 2.5, .35);
+            TestCell cell(*material, degree, reference, mean_dilatation);
             deallog << law << ", " << reference.size() << " nodes"
                     << (mean_dilatation ? ", mean dilatation" : "")
                     << std::endl;
@@ -167,8 +171,9 @@ zero_energy_modes()
         for (const double nu : {.3, .499})
           for (const std::string &law : all_laws)
             {
-              const auto material = Heddle::Solid::make_material(law, 1., nu);
-              Nodes      nodes    = cube(degree);
+              const auto material = Heddle::Solid::make_material(
+                Heddle::choice<Heddle::Solid::MaterialLaw>(law), 1., nu);
+              Nodes nodes = cube(degree);
               if (distorted)
                 Random(11).disturb(nodes, .15 / degree);
               TestCell cell(*material, degree, nodes, mean_dilatation);

@@ -1,5 +1,6 @@
 // Where fibers touch the solver looks at the energy: it does not go uphill, and
 // no deeper into another fiber than where it begins to rise.
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_contact.h>
 
 #include "../contributions/scene.h"
@@ -15,19 +16,21 @@ describe_loaded(Scene             &scene,
                 const std::string &motion,
                 const std::string (&load)[3])
 {
-  scene.fibers.element_name           = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene.fibers.elements_per_fiber     = 20;
   scene.fibers.material.axial_modulus = 1e4;
   for (const std::string end : {"first end", "last end"})
     {
-      auto &support        = scene.add_support();
-      support.nodes.nodes  = end;
+      auto &support = scene.add_support();
+      support.nodes.nodes =
+        Heddle::choice<Heddle::Contributions::ChosenNodes>(end);
       support.nodes.fibers = "0";
       support.displacement = {{end == "last end" ? motion : "0", "0", "0"}};
     }
   auto &all        = scene.add_load();
   all.nodes.fibers = "0";
-  all.nodes.nodes  = "all";
+  all.nodes.nodes  = Heddle::Contributions::ChosenNodes::all;
   all.force        = {{load[0], load[1], load[2]}};
 }
 

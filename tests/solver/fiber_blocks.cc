@@ -2,6 +2,7 @@
 // contact couples more of its nodes than before. A fiber that is unstable on
 // its own is made stable, and no other one changes; how does not depend on the
 // unit of length. Sixty fibers are factorized in three groups.
+#include <heddle/base/choice.h>
 #include <heddle/base/petsc.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/solver/fiber_blocks.h>
@@ -27,8 +28,8 @@ public:
     , unstable(n_fibers / 2)
     , mm(mm)
   {
-    fibers.element_name       = element;
-    fibers.degree             = degree;
+    fibers.element_kind = Heddle::choice<Heddle::Beam::ElementKind>(element);
+    fibers.degree       = degree;
     fibers.elements_per_fiber = n_elements;
     std::vector<Textile::FiberPath> paths;
     for (unsigned int f = 0; f < n_fibers; ++f)

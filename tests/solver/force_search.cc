@@ -6,6 +6,7 @@
 // as much less out of balance as it asks for; where the tangent is wrong, and
 // no part of the step is good, it says so and leaves all as it was. A
 // factorization is as good as conjugate gradients with their preconditioner.
+#include <heddle/base/choice.h>
 #include <heddle/beam/element.h>
 #include <heddle/solver/force_search.h>
 
@@ -110,10 +111,10 @@ examine(System::State &state, const std::string &kind, const Push &like)
   system.end();
 
   Solver::LinearSolverParameters parameters("/Linear solver for " + kind);
-  parameters.kind      = kind;
+  parameters.kind      = choice<Solver::LinearSolverKind>(kind);
   parameters.tolerance = 1e-8;
   Solver::LinearSolver solver(parameters, system);
-  const auto           result = solver.solve(/*exactly=*/false);
+  const auto           result = solver.solve({/*exactly=*/false});
   System::Increment    increment;
   system.extract_increment(increment);
 
@@ -145,7 +146,9 @@ main(int argc, char **argv)
   fiber.section =
     Beam::circular_section(0.1, /*axial=*/1., /*shear=*/0.4, /*poisson=*/0.25);
   const System::FiberSpace space(
-    MPI_COMM_WORLD, Beam::make_element("hermite", /*degree=*/3), {fiber});
+    MPI_COMM_WORLD,
+    Beam::make_element(Beam::ElementKind::hermite, /*degree=*/3),
+    {fiber});
   System::State state(space);
 
   Push push;

@@ -222,7 +222,9 @@ main(int argc, char **argv)
   fiber.section =
     Beam::circular_section(0.1, /*axial=*/1., /*shear=*/0.4, /*poisson=*/0.25);
   const System::FiberSpace space(
-    MPI_COMM_WORLD, Beam::make_element("hermite", /*degree=*/3), {fiber});
+    MPI_COMM_WORLD,
+    Beam::make_element(Beam::ElementKind::hermite, /*degree=*/3),
+    {fiber});
   System::State state(space);
 
   const auto                  walls         = std::make_shared<Walls>();

@@ -1,5 +1,6 @@
 // What linear systems are solved with: yarns in parts, conjugate gradients for
 // composites, and factorizations that may fail.
+#include <heddle/base/choice.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/solver/linear_solver.h>
 #include <heddle/solver/yarn_parts.h>
@@ -122,19 +123,19 @@ public:
     ParameterAcceptor::prm.parse_input_from_string(entries.str());
     ParameterAcceptor::parse_all_parameters();
 
-    fibers.element_name           = "director";
+    fibers.element_kind           = Heddle::Beam::ElementKind::director;
     fibers.material.axial_modulus = 1000.;
-    linear.kind                   = kind;
-    linear.tolerance              = 1e-10;
-    auto &foot                    = add_support();
-    foot.nodes.nodes              = "first end";
-    foot.matrix_sides             = {"x-"};
-    foot.displacement             = {{"0", "0", "0"}};
-    foot.section                  = "held";
-    auto &pull                    = add_support();
-    pull.nodes.fibers             = "none";
-    pull.matrix_sides             = {"x+"};
-    pull.displacement             = {{"0.2", "0.1", "0.05"}};
+    linear.kind       = Heddle::choice<Heddle::Solver::LinearSolverKind>(kind);
+    linear.tolerance  = 1e-10;
+    auto &foot        = add_support();
+    foot.nodes.nodes  = Heddle::Contributions::ChosenNodes::first_end;
+    foot.matrix_sides = {"x-"};
+    foot.displacement = {{"0", "0", "0"}};
+    foot.section      = Heddle::Contributions::SupportedSection::held;
+    auto &pull        = add_support();
+    pull.nodes.fibers = "none";
+    pull.matrix_sides = {"x+"};
+    pull.displacement = {{"0.2", "0.1", "0.05"}};
 
     std::vector<Textile::FiberPath> paths;
     for (const double across : {0.7, 2.1, 3.3})
@@ -239,7 +240,7 @@ singular_tangents()
   System::BlockPattern pattern(state.n_owned_blocks());
   system.set_pattern(pattern);
   Solver::LinearSolverParameters parameters;
-  parameters.kind = "direct";
+  parameters.kind = Heddle::Solver::LinearSolverKind::direct;
   Solver::LinearSolver solver(parameters, system);
   for (const double stiffness : {1., 0., 0., 2.})
     {
@@ -251,7 +252,7 @@ singular_tangents()
           system.add_diagonal(b, stiffness);
         }
       system.end();
-      const Solver::LinearResult result = solver.solve(true);
+      const Solver::LinearResult result = solver.solve();
       deallog << "stiffness " << stiffness << ": singular " << result.singular;
       if (!result.singular)
         {

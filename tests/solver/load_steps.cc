@@ -224,7 +224,9 @@ guesses()
                                                  /*shear_modulus=*/0.5,
                                                  /*poisson_ratio=*/0.);
   const Heddle::System::FiberSpace space(
-    MPI_COMM_WORLD, Heddle::Beam::make_element("director", 1), {fiber});
+    MPI_COMM_WORLD,
+    Heddle::Beam::make_element(Heddle::Beam::ElementKind::director, 1),
+    {fiber});
   State state(space);
 
   miss(state, {1., 0., 0.}, {0.}, 0.1);

@@ -5,6 +5,7 @@
 // pattern grows old: when the fibers have found others to touch it still has
 // all places, but for friction of the torsion-free element, which asks for
 // another one.
+#include <heddle/base/choice.h>
 #include <heddle/base/petsc.h>
 #include <heddle/contributions/fiber_friction.h>
 #include <heddle/solver/linear_solver.h>
@@ -48,10 +49,10 @@ class Crossing : public Scene
 public:
   Crossing(const std::string &element)
   {
-    fibers.element_name                = element;
-    linear.kind                        = "fiber blocks";
-    linear.tolerance                   = 1e-10;
-    parameters.friction                = 0.3;
+    fibers.element_kind = Heddle::choice<Heddle::Beam::ElementKind>(element);
+    linear.kind         = Heddle::Solver::LinearSolverKind::fiber_blocks;
+    linear.tolerance    = 1e-10;
+    parameters.friction = 0.3;
     parameters.reversible_displacement = 0.01;
     std::vector<Textile::FiberPath> paths;
     for (unsigned int f = 0; f < 7; ++f)
@@ -247,7 +248,7 @@ Numbers
 solution(const Crossing &scene, const System::BlockSystem &system)
 {
   Solver::LinearSolver solver(scene.linear, system);
-  solver.solve(/*exactly=*/false);
+  solver.solve({/*exactly=*/false});
   return entries(system.solution());
 }
 

@@ -4,6 +4,7 @@
 // by term here, and moves what is held as told. So does GMRES where the terms
 // are strong; where they are so weak that conjugate gradients leave no more
 // than 0.2 of the right-hand side in the energy norm, these are left alone.
+#include <heddle/base/choice.h>
 #include <heddle/solver/linear_solver.h>
 
 #include "../contributions/scene.h"
@@ -23,7 +24,7 @@ class Tied : public Scene
 public:
   Tied(const std::string &element)
   {
-    fibers.element_name = element;
+    fibers.element_kind = Heddle::choice<Heddle::Beam::ElementKind>(element);
     std::vector<Textile::FiberPath> paths;
     for (unsigned int f = 0; f < n_fibers; ++f)
       {
@@ -181,10 +182,10 @@ solve(const std::string         &kind,
       Solver::LinearResult      &result)
 {
   Solver::LinearSolverParameters parameters("/Linear solver of " + kind);
-  parameters.kind      = kind;
+  parameters.kind      = Heddle::choice<Heddle::Solver::LinearSolverKind>(kind);
   parameters.tolerance = 1e-10;
   Solver::LinearSolver solver(parameters, system);
-  result = solver.solve(/*exactly=*/false);
+  result = solver.solve({/*exactly=*/false});
   Motion motion;
   system.extract_increment(motion);
   return motion;

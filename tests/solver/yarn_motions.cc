@@ -3,6 +3,7 @@
 // of random r and the translation of one yarn; nothing for a yarn of one fiber.
 // With yarns that are held weakly, conjugate gradients need fewer iterations
 // than if each fiber is a yarn for itself.
+#include <heddle/base/choice.h>
 #include <heddle/base/petsc.h>
 #include <heddle/solver/linear_solver.h>
 #include <heddle/solver/yarn_motions.h>
@@ -20,8 +21,8 @@ class Yarns : public Scene
 public:
   Yarns(const std::string &element, const bool alone)
   {
-    fibers.element_name = element;
-    linear.kind         = "fiber blocks";
+    fibers.element_kind = Heddle::choice<Heddle::Beam::ElementKind>(element);
+    linear.kind         = Heddle::Solver::LinearSolverKind::fiber_blocks;
     linear.tolerance    = 1e-8;
     std::vector<Textile::FiberPath> paths;
     for (unsigned int f = 0; f < 9; ++f)
@@ -115,7 +116,7 @@ main(int argc, char **argv)
       Yarns      lone(element, /*alone=*/true);
       const auto solve = [](Yarns &scene) {
         Solver::LinearSolver solver(scene.linear, *scene.system);
-        return solver.solve(/*exactly=*/false).iterations;
+        return solver.solve({/*exactly=*/false}).iterations;
       };
       const unsigned int together = solve(yarns), apart = solve(lone);
 

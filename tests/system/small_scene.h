@@ -1,6 +1,7 @@
 #ifndef heddle_tests_system_small_scene_h
 #define heddle_tests_system_small_scene_h
 
+#include <heddle/base/choice.h>
 #include <heddle/system/state.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -46,7 +47,9 @@ make_space(const std::string               &element,
                                                      /*poisson_ratio=*/0.25);
     }
   return std::make_unique<System::FiberSpace>(
-    MPI_COMM_WORLD, Beam::make_element(element, degree), fibers);
+    MPI_COMM_WORLD,
+    Beam::make_element(choice<Beam::ElementKind>(element), degree),
+    fibers);
 }
 
 

@@ -67,7 +67,7 @@ class Bundle
 public:
   Bundle(const unsigned int n_elements, const double reversible)
   {
-    scene.fibers.element_name           = "director";
+    scene.fibers.element_kind           = Heddle::Beam::ElementKind::director;
     scene.fibers.material.axial_modulus = modulus;
     scene.fibers.material.poisson_ratio = 0.3;
     scene.newton.residual_tolerance     = 1e-7;
@@ -79,7 +79,7 @@ public:
 
     // The load factor beyond 1 is the force on the end.
     auto &pull       = scene.add_load();
-    pull.nodes.nodes = "last end";
+    pull.nodes.nodes = Heddle::Contributions::ChosenNodes::last_end;
     pull.force[2]    = "if(t>1,(t-2)/7,0)";
     std::vector<Textile::FiberPath> paths;
     for (unsigned int i = 0; i < 7; ++i)

@@ -71,7 +71,7 @@ pull(const double angle, const double friction, const unsigned int n_elements)
   contact.friction        = friction;
   contact.search_distance = 0.1;
   Scene scene;
-  scene.fibers.element_name               = "director";
+  scene.fibers.element_kind               = Heddle::Beam::ElementKind::director;
   scene.fibers.degree                     = 2;
   scene.fibers.material.axial_modulus     = 1e5;
   scene.fibers.material.poisson_ratio     = 0.;
@@ -80,15 +80,15 @@ pull(const double angle, const double friction, const unsigned int n_elements)
   scene.clamp("all", "0");
   auto &slack        = scene.add_support();
   slack.nodes.fibers = "1";
-  slack.nodes.nodes  = "first end";
+  slack.nodes.nodes  = Heddle::Contributions::ChosenNodes::first_end;
   slack.displacement = {{"0", "0", "free"}};
   auto &load         = scene.add_load();
   load.nodes.fibers  = "1";
-  load.nodes.nodes   = "first end";
+  load.nodes.nodes   = Heddle::Contributions::ChosenNodes::first_end;
   load.force  = {{"0", "0", "-" + std::to_string(slack_force) + "*min(t,1)"}};
   auto &drawn = scene.add_support();
   drawn.nodes.fibers  = "1";
-  drawn.nodes.nodes   = "last end";
+  drawn.nodes.nodes   = Heddle::Contributions::ChosenNodes::last_end;
   const double motion = 0.02; // in a step [mm]
   drawn.displacement  = {
      {std::to_string(-motion * std::sin(angle)) + "*max(t-1,0)",

@@ -6,6 +6,7 @@
 // of the rod for the deflection that is left beside the penetration.
 //
 // Friction does nothing here, by symmetry, and must not be in the way.
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/fiber_friction.h>
 
@@ -133,7 +134,8 @@ computed_force(const std::string &element,
                bool              &converged)
 {
   Scene scene;
-  scene.fibers.element_name           = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene.fibers.material.axial_modulus = modulus;
   scene.fibers.material.poisson_ratio = poisson_ratio;
   for (const std::string fiber : {"0", "1"})

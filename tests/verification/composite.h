@@ -24,7 +24,7 @@ public:
     ParameterAcceptor::parse_all_parameters();
 
     // What is measured is the composite, to more digits than iterations leave.
-    linear.kind = "direct";
+    linear.kind = Heddle::Solver::LinearSolverKind::direct;
   }
 
   void

@@ -17,7 +17,7 @@ modulus_across(const double poisson_ratio, const double factor)
     mesh(8, 4, Tensor<1, 3>({length, 1., 1.})) +
     " set Poisson ratio = " + std::to_string(poisson_ratio) +
     "\n set Coupling stiffness factor = " + std::to_string(factor) + "\n");
-  scene.fibers.element_name           = "hermite";
+  scene.fibers.element_kind           = Heddle::Beam::ElementKind::hermite;
   scene.fibers.material.axial_modulus = 1000.;
   scene.hold({"x-"}).displacement[0]  = "0";
   scene.hold({"z-"}).displacement[2]  = "0";
@@ -53,17 +53,17 @@ yielding_along(const unsigned int n_cells)
   Composite        scene(mesh(2, n_cells, Tensor<1, 3>({length, side, side})) +
                   " set Poisson ratio = 0.3\n"
                          " set Coupling points per element = 2\n");
-  scene.fibers.element_name                         = "director";
-  scene.fibers.material.axial_modulus               = 1000.;
-  scene.fibers.material.poisson_ratio               = 0.;
+  scene.fibers.element_kind           = Heddle::Beam::ElementKind::director;
+  scene.fibers.material.axial_modulus = 1000.;
+  scene.fibers.material.poisson_ratio = 0.;
   scene.hold({"y-", "y+", "z-", "z+"}).displacement = {{"0", "0", "0"}};
   // Only displacements along the fiber: those do not depend on x.
   scene.hold({"x-", "x+"}).displacement = {{"free", "0", "0"}};
   scene.add_load().force_per_length     = {{"1e-6", "0", "0"}};
   // Nothing else keeps the fiber from turning about its axis.
   auto &held       = scene.add_support();
-  held.nodes.nodes = "first end";
-  held.section     = "held";
+  held.nodes.nodes = Heddle::Contributions::ChosenNodes::first_end;
+  held.section     = Heddle::Contributions::SupportedSection::held;
   scene.embed({straight_path(Tensor<1, 3>({0., side / 2, side / 2}),
                              Tensor<1, 3>({length, side / 2, side / 2}),
                              5,
@@ -93,7 +93,7 @@ bend(const double       modulus,
     mesh(n_cells, 2, Tensor<1, 3>({length, 1., 1.})) +
     " set Poisson ratio = 0\n set Degree = " + std::to_string(degree) +
     "\n set Coupling stiffness factor = " + std::to_string(factor) + "\n");
-  scene.fibers.element_name           = "hermite";
+  scene.fibers.element_kind           = Heddle::Beam::ElementKind::hermite;
   scene.fibers.material.axial_modulus = modulus;
   scene.fibers.material.poisson_ratio = 0.;
   scene.hold({"x-"}).displacement     = {{"0", "0", "0"}};

@@ -20,6 +20,7 @@
 // found: the reference is degree 2 on the finest mesh.
 //
 // All orders are those of the differences of successive meshes.
+#include <heddle/base/choice.h>
 #include <heddle/base/petsc.h>
 #include <heddle/solid/cell_kernel.h>
 
@@ -172,9 +173,10 @@ public:
     , element(FE_Q<3>(degree), 3)
     , quadrature(degree + 1)
     , handler(triangulation)
-    , material(Heddle::Solid::make_material(problem.law,
-                                            problem.youngs_modulus,
-                                            problem.poisson_ratio))
+    , material(Heddle::Solid::make_material(
+        Heddle::choice<Heddle::Solid::MaterialLaw>(problem.law),
+        problem.youngs_modulus,
+        problem.poisson_ratio))
     , kernel(*material,
              element.n_dofs_per_cell() / 3,
              quadrature.size(),

@@ -4,6 +4,7 @@
 // and the approach d of two crossing cylinders by the law of contact, whose
 // penalty is adapted. With an odd number of elements the force acts amid one.
 // Beams are of one material, or the upper one of another.
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_contact.h>
 
 #include "../contributions/scene.h"
@@ -78,7 +79,8 @@ describe(Scene &scene, const unsigned int n_elements, const double ratio)
       {
         auto &support        = scene.add_support();
         support.nodes.fibers = fiber;
-        support.nodes.nodes  = end;
+        support.nodes.nodes =
+          Heddle::choice<Heddle::Contributions::ChosenNodes>(end);
         support.displacement = {{"0", "0", "0"}};
         if (end == "last end")
           support.displacement[fiber == "0" ? 0 : 1] = "free";

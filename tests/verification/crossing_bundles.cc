@@ -41,7 +41,7 @@ main(int argc, char **argv)
 {
   MPITest mpi(argc, argv);
   Scene   scene;
-  scene.fibers.element_name           = "director";
+  scene.fibers.element_kind           = Heddle::Beam::ElementKind::director;
   scene.fibers.material.axial_modulus = 1000.;
   scene.fibers.material.poisson_ratio = 0.3;
   scene.newton.max_iterations         = 200;

@@ -60,11 +60,11 @@ describe(Scene &scene, const unsigned int n_elements)
   scene.fibers.material.bending_stiffness = bending;
   scene.newton.damping                    = 0.;
   auto &bottom                            = scene.add_support();
-  bottom.nodes.nodes                      = "first end";
-  bottom.displacement                     = {{"0", "0", "0"}};
-  bottom.held_tangent                     = {"x"};
-  auto &top                               = scene.add_support();
-  top.nodes.nodes                         = "last end";
+  bottom.nodes.nodes  = Heddle::Contributions::ChosenNodes::first_end;
+  bottom.displacement = {{"0", "0", "0"}};
+  bottom.held_tangent = {"x"};
+  auto &top           = scene.add_support();
+  top.nodes.nodes     = Heddle::Contributions::ChosenNodes::last_end;
   top.displacement = {{"x*(cos(2*pi*t)-1)", "x*sin(2*pi*t)", "0.0496472226*t"}};
   top.held_tangent = {"x"};
   std::vector<Textile::FiberPath> paths;

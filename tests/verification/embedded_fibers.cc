@@ -9,6 +9,8 @@
 // - 4 x 4 fibers in a block: below the force of fibers that are tied to the
 //   hexahedra (CalculiX, and a program of truss elements), and tending to it.
 // Errors and orders are printed to the screen; compared are bounds.
+#include <heddle/base/choice.h>
+
 #include "composite.h"
 
 /** Relative error of the modulus, and the largest force of a link [N/mm]. */
@@ -26,16 +28,17 @@ stretch_evenly()
                                (n_columns + 2) / 5,
                                Tensor<1, 3>({length, 1., 1.})) +
                           " set Poisson ratio = 0\n");
-          scene.fibers.element_name           = element;
+          scene.fibers.element_kind =
+            Heddle::choice<Heddle::Beam::ElementKind>(element);
           scene.fibers.material.axial_modulus = fiber_modulus;
           scene.fibers.material.poisson_ratio = 0.;
           auto &ends                          = scene.add_support();
-          ends.nodes.nodes                    = "first end";
-          ends.matrix_sides                   = {"x-"};
-          ends.displacement                   = {{"0", "0", "0"}};
-          auto &pull                          = scene.add_support();
-          pull.nodes.nodes                    = "last end";
-          pull.matrix_sides                   = {"x+"};
+          ends.nodes.nodes  = Heddle::Contributions::ChosenNodes::first_end;
+          ends.matrix_sides = {"x-"};
+          ends.displacement = {{"0", "0", "0"}};
+          auto &pull        = scene.add_support();
+          pull.nodes.nodes  = Heddle::Contributions::ChosenNodes::last_end;
+          pull.matrix_sides = {"x+"};
           pull.displacement = {{std::to_string(strain) + "*x", "0", "0"}};
           scene.embed({straight_path(Tensor<1, 3>({0., 0.41, 0.57}),
                                      Tensor<1, 3>({length, 0.41, 0.57}),
@@ -71,7 +74,8 @@ bed_of_springs(const std::string &element,
                   " set Coupling stiffness factor = 12\n"
                          " set Coupling points per element = " +
                   std::to_string(n_points) + "\n");
-  scene.fibers.element_name           = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene.fibers.material.axial_modulus = fiber_modulus;
   scene.fibers.material.poisson_ratio = 0.;
   auto &sides        = scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"});
@@ -131,7 +135,8 @@ lift_in_rigid_matrix(const std::string &element, const unsigned int n_points)
   Composite scene(
     mesh(5, 1, Tensor<1, 3>({10., 1., 1.})) +
     " set Coupling points per element = " + std::to_string(n_points) + "\n");
-  scene.fibers.element_name           = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene.fibers.material.axial_modulus = 1000.;
   scene.fibers.material.poisson_ratio = 0.;
   auto &sides           = scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"});
@@ -161,7 +166,7 @@ pull_block(const unsigned int n_yz,
                   " set Youngs modulus = 100\n set Locking remedy = none\n"
                   " set Coupling stiffness factor = " +
                   std::to_string(factor) + "\n");
-  scene.fibers.element_name               = "hermite";
+  scene.fibers.element_kind               = Heddle::Beam::ElementKind::hermite;
   scene.fibers.material.axial_modulus     = 1e5;
   scene.fibers.material.bending_stiffness = 1e-3;
   scene.hold({"x-"}).displacement[0]      = "0";
@@ -172,7 +177,7 @@ pull_block(const unsigned int n_yz,
     {
       auto &support        = scene.add_support();
       support.nodes.fibers = fiber;
-      support.nodes.nodes  = "first end";
+      support.nodes.nodes  = Heddle::Contributions::ChosenNodes::first_end;
       support.displacement = {{"free", "0", fiber == "0" ? "0" : "free"}};
     }
 

@@ -10,6 +10,8 @@
 // a) / k and theta = 2 beta^2 (F + 2 beta F a) / k (M. Hetenyi 1946): wherever
 // its nodes lie. Errors and orders are printed to the screen; compared are
 // bounds.
+#include <heddle/base/choice.h>
+
 #include "composite.h"
 
 constexpr double radius = 0.1;
@@ -28,15 +30,16 @@ transfer_length(const std::string &element,
   const unsigned int n_elements = 16 * n_per_length;
   Composite          scene(mesh(n_elements, 1, Tensor<1, 3>({length, 4., 4.})) +
                   " set Coupling points per element = 2\n");
-  scene.fibers.element_name                                     = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene.fibers.material.axial_modulus                           = ratio;
   scene.fibers.material.poisson_ratio                           = 0.;
   scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"}).displacement = {
     {"1e-6*x", "0", "0"}};
   // Nothing else keeps the fiber from turning about its axis.
   auto &held       = scene.add_support();
-  held.nodes.nodes = "first end";
-  held.section     = "held";
+  held.nodes.nodes = Heddle::Contributions::ChosenNodes::first_end;
+  held.section     = Heddle::Contributions::SupportedSection::held;
   scene.embed({straight_path(Tensor<1, 3>({0., 2., 2.}),
                              Tensor<1, 3>({length, 2., 2.}),
                              n_elements + 1,
@@ -76,17 +79,18 @@ pulled_out(const std::string &element, const unsigned int n)
     {
       Composite scene(mesh(20, 1, Tensor<1, 3>({20., 1., 1.})) +
                       " set Youngs modulus = 100\n");
-      scene.fibers.element_name                                     = element;
+      scene.fibers.element_kind =
+        Heddle::choice<Heddle::Beam::ElementKind>(element);
       scene.fibers.material.axial_modulus                           = modulus;
       scene.fibers.material.poisson_ratio                           = 0.;
       scene.hold({"x-", "x+", "y-", "y+", "z-", "z+"}).displacement = {
         {"0", "0", "0"}};
       // Nothing else keeps the fiber from turning about its axis.
       auto &held       = scene.add_support();
-      held.nodes.nodes = "first end";
-      held.section     = "held";
+      held.nodes.nodes = Heddle::Contributions::ChosenNodes::first_end;
+      held.section     = Heddle::Contributions::SupportedSection::held;
       auto &load       = scene.add_load();
-      load.nodes.nodes = "last end";
+      load.nodes.nodes = Heddle::Contributions::ChosenNodes::last_end;
       load.force       = {
               {std::to_string(along), "0", "0.001*" + std::to_string(along)}};
       scene.embed({straight_path(Tensor<1, 3>({offset, 0.5, 0.5}),

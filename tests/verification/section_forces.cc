@@ -5,6 +5,8 @@
 // that of bending. The straight fiber is bent in space, an arc that is free of
 // stress is opened in its plane. Errors are relative to F and to the largest
 // moment.
+#include <heddle/base/choice.h>
+
 #include "../contributions/scene.h"
 
 #include <algorithm>
@@ -31,7 +33,8 @@ errors(const std::string &element,
   const Tensor<1, 3> force({0.6, 2., curved || slender ? 0. : -1.});
   const Tensor<1, 3> moment({curved || slender ? 0. : 0.8, 0., 0.5});
   Scene              scene;
-  scene.fibers.element_name           = element;
+  scene.fibers.element_kind =
+    Heddle::choice<Heddle::Beam::ElementKind>(element);
   scene.fibers.degree                 = degree;
   scene.fibers.material.axial_modulus = 4. / M_PI / std::pow(radius, 4);
   scene.fibers.material.poisson_ratio = 0.3;

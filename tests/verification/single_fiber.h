@@ -1,6 +1,7 @@
 #ifndef heddle_tests_verification_single_fiber_h
 #define heddle_tests_verification_single_fiber_h
 
+#include <heddle/base/choice.h>
 #include <heddle/beam/element.h>
 #include <heddle/beam/end_moment.h>
 
@@ -179,7 +180,9 @@ public:
               const Curve                 &curve,
               const double                 length,
               const unsigned int           n_elements)
-    : element(Heddle::Beam::make_element(kind.name, kind.degree))
+    : element(Heddle::Beam::make_element(
+        Heddle::choice<Heddle::Beam::ElementKind>(kind.name),
+        kind.degree))
     , section(section)
     , length(length)
     , n_elements(n_elements)

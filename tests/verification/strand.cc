@@ -11,6 +11,7 @@
 // touch a core of their own radius overlap each other at this lay angle, so the
 // core is thicker. Errors and orders are printed to the screen; compared are
 // bounds.
+#include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_friction.h>
 
 #include "../contributions/scene.h"
@@ -95,7 +96,7 @@ stretch(const unsigned int n_elements,
   contact.threshold = threshold;
   contact.friction  = friction;
   Scene scene;
-  scene.fibers.element_name           = "director";
+  scene.fibers.element_kind           = Heddle::Beam::ElementKind::director;
   scene.fibers.degree                 = 2;
   scene.fibers.material.axial_modulus = modulus;
   scene.fibers.material.poisson_ratio = 0.;
@@ -105,7 +106,8 @@ stretch(const unsigned int n_elements,
     {
       auto &support        = scene.add_support();
       support.nodes.fibers = fibers;
-      support.nodes.nodes  = fibers == "all" ? "first end" : "last end";
+      support.nodes.nodes  = Heddle::choice<Heddle::Contributions::ChosenNodes>(
+        fibers == "all" ? "first end" : "last end");
       support.displacement = {
         {"0", "0", fibers == "all" ? "0" : std::to_string(strain) + "*z*t"}};
     }

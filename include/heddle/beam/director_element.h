@@ -73,8 +73,8 @@ namespace Heddle
     public:
       DirectorElement();
 
-      std::string
-      name() const override;
+      ElementKind
+      kind() const override;
 
       unsigned int
       n_nodes() const override;

@@ -12,6 +12,29 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** Finite elements of fibers. */
+    enum class ElementKind
+    {
+      hermite, /**< slender, without torsion, cubic */
+      director /**< with torsion, shear and strains of the section */
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const ElementKind kind)
+    {
+      switch (kind)
+        {
+          case ElementKind::hermite:
+            return "hermite";
+          case ElementKind::director:
+            return "director";
+        }
+      return nullptr;
+    }
+
+
+
     /**
      * Elastic constants of the section of a fiber. Those of a circle of radius
      * R are set by circular_section(); a verification or a lumped fiber may set
@@ -60,9 +83,15 @@ namespace Heddle
 
       virtual ~Element() = default;
 
-      /** "hermite" or "director". */
-      virtual std::string
-      name() const = 0;
+      virtual ElementKind
+      kind() const = 0;
+
+      /** What messages and files call it. */
+      std::string
+      name() const
+      {
+        return word(kind());
+      }
 
       /** Two, or one more than the polynomial degree for "director". */
       virtual unsigned int
@@ -173,12 +202,11 @@ namespace Heddle
     };
 
     /**
-     * Return the element of the given @p name ("hermite" or "director") and
-     * @p degree (1, 2 or 3; ignored by "hermite", which is cubic). An
-     * InputError says what else was found.
+     * Return the element of this @p kind and @p degree (1, 2 or 3; ignored by
+     * the cubic one). An InputError says what else was found.
      */
     std::unique_ptr<Element>
-    make_element(const std::string &name, const unsigned int degree);
+    make_element(const ElementKind kind, const unsigned int degree);
   } // namespace Beam
 } // namespace Heddle
 

@@ -43,8 +43,8 @@ namespace Heddle
     class HermiteElement : public Element
     {
     public:
-      std::string
-      name() const override;
+      ElementKind
+      kind() const override;
 
       unsigned int
       n_nodes() const override;

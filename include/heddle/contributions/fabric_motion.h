@@ -7,6 +7,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace Heddle
 {
@@ -23,7 +24,8 @@ namespace Heddle
      * @f]
      * with the ramp r of the load factor. The directions @f$d_1@f$ of the warp
      * and @f$d_2@f$ of the weft are x and y at first; a shear angle is that by
-     * which the right angle between them has become smaller.
+     * which the right angle between them has become smaller. Their formulas are
+     * what the supports move by and what is measured along.
      */
     class FabricMotion
     {
@@ -70,15 +72,16 @@ namespace Heddle
       turn_rates() const;
 
     private:
-      /** "0.02*(t)": a number times the ramp. */
-      std::string
-      times_ramp(const double value) const;
-
       Both<double> strains;
       double       angle;
       Shear        shear;
       std::string  ramp_text;
       Expression   ramp;
+
+      /** Components along x and y of both directions: formulas of t, of which
+       * the displacements are made, and the same to be evaluated. */
+      Both<Both<std::string>>       formulas;
+      Both<std::vector<Expression>> components;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -85,6 +85,50 @@ namespace Heddle
         double       matrix_couple = 0.; /**< part of it [N mm] */
       };
 
+      static constexpr unsigned int n_sides = 4;
+
+      /** Sums over all that is held on one side. */
+      struct SideSums
+      {
+        Tensor<1, 3> force;       /**< [N] */
+        Tensor<1, 3> of_matrix;   /**< part of it on the matrix [N] */
+        Tensor<1, 3> ends;        /**< positions of the ends of fibers [mm] */
+        double       n_ends = 0.; /**< [-] */
+      };
+
+      /** Sums over all that is held, of this rank and then of all. */
+      struct Sums
+      {
+        std::array<SideSums, n_sides> sides;
+        Both<double> work          = {}; /**< conjugate to the strains [N mm] */
+        double       couple        = 0.; /**< conjugate to the angle [N mm] */
+        double       matrix_couple = 0.; /**< part of it [N mm] */
+      };
+
+      /** How the sides move at one load factor, see FabricMotion. */
+      struct Kinematics
+      {
+        Kinematics(const FabricMotion &motion, const double load_factor);
+
+        Both<Tensor<1, 3>> along, turning;
+        Both<double>       stretch, turn_rates;
+      };
+
+      /** Add what the @p force on a held position, now at @p place, does. */
+      static void
+      add_position(const HeldBlock    &held,
+                   const unsigned int  sides,
+                   const Tensor<1, 3> &force,
+                   const Tensor<1, 3> &place,
+                   const Kinematics   &kinematics,
+                   Sums               &sums);
+
+      /** Return what is measured, by sums over all ranks. */
+      Measured
+      measure(const Sums       &sums,
+              const Kinematics &kinematics,
+              const double      load_factor) const;
+
       /** Find on which sides the held blocks are, and the lengths at rest. */
       void
       find_sides(const System::State &state);

@@ -139,7 +139,7 @@ namespace Heddle
 
       /** Forces and moments now, and what forces come to by loads: @p sums. */
       void
-      evaluate_all(const double load_factor, std::vector<double> &sums);
+      evaluate_all(const double load_factor);
 
       void
       find_largest_force();

@@ -16,6 +16,38 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** Which nodes of a fiber. */
+    enum class ChosenNodes
+    {
+      first_end,
+      last_end,
+      both_ends,
+      near_point,
+      all
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const ChosenNodes nodes)
+    {
+      switch (nodes)
+        {
+          case ChosenNodes::first_end:
+            return "first end";
+          case ChosenNodes::last_end:
+            return "last end";
+          case ChosenNodes::both_ends:
+            return "both ends";
+          case ChosenNodes::near_point:
+            return "near point";
+          case ChosenNodes::all:
+            return "all";
+        }
+      return nullptr;
+    }
+
+
+
     /** A node with its blocks in the reference configuration. */
     struct SelectedNode
     {
@@ -35,9 +67,16 @@ namespace Heddle
     struct NodeSelection
     {
       std::string fibers = "all";
-      std::string nodes  = "both ends";
+      ChosenNodes nodes  = ChosenNodes::both_ends;
       Point<3>    point;
       double      distance = 0.; /**< [mm] */
+
+      /** Whether these are no fibers at all. */
+      bool
+      is_empty() const
+      {
+        return fibers == "none";
+      }
 
       /** Declare the entries in the section of @p owner. */
       void

@@ -14,6 +14,32 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** What a support does to sections. */
+    enum class SupportedSection
+    {
+      free,
+      held,
+      turned /**< by an angle */
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const SupportedSection section)
+    {
+      switch (section)
+        {
+          case SupportedSection::free:
+            return "free";
+          case SupportedSection::held:
+            return "held";
+          case SupportedSection::turned:
+            return "turned";
+        }
+      return nullptr;
+    }
+
+
+
     /** What a support holds, and how that has to move. */
     struct Support
     {
@@ -22,7 +48,7 @@ namespace Heddle
       NodeSelection              nodes;
       std::vector<std::string>   matrix_sides;
       std::array<std::string, 3> displacement = {{"free", "free", "free"}};
-      std::string                section      = "free";
+      SupportedSection           section      = SupportedSection::free;
       std::string                angle        = "0";
       Tensor<1, 3>               axis         = Tensor<1, 3>({0., 0., 1.});
       std::vector<std::string>   held_tangent;
@@ -32,6 +58,13 @@ namespace Heddle
        * turned about it by the angle. Fibers that touch keep their distance.
        */
       bool yarns_are_bodies = false;
+
+      /** Whether it leaves this component of positions alone. */
+      bool
+      is_free(const unsigned int component) const
+      {
+        return displacement[component] == "free";
+      }
 
       /** Numbers of the sides of the matrix, x-, x+, y-, y+, z-, z+. */
       std::vector<unsigned int>

@@ -12,6 +12,38 @@ namespace Heddle
 {
   namespace IO
   {
+    /** How far a run or a stage has come. */
+    enum class Status
+    {
+      running,
+      converged,
+      not_converged,
+      stopped,
+      failed
+    };
+
+    /** What files call it. */
+    constexpr const char *
+    word(const Status status)
+    {
+      switch (status)
+        {
+          case Status::running:
+            return "running";
+          case Status::converged:
+            return "converged";
+          case Status::not_converged:
+            return "not converged";
+          case Status::stopped:
+            return "stopped";
+          case Status::failed:
+            return "failed";
+        }
+      return nullptr;
+    }
+
+
+
     /** Seconds on the clock, and where they went. */
     struct WallTime
     {
@@ -21,6 +53,19 @@ namespace Heddle
       double linear_solver = 0.;
       double line_search   = 0.;
       double output        = 0.;
+
+      /** Call @p visit (name, value) for each of some wall times. */
+      template <typename Visit, typename... Times>
+      static void
+      describe(const Visit &visit, Times &...times)
+      {
+        visit("total", times.total...);
+        visit("detection", times.detection...);
+        visit("assembly", times.assembly...);
+        visit("linear_solver", times.linear_solver...);
+        visit("line_search", times.line_search...);
+        visit("output", times.output...);
+      }
     };
 
 
@@ -29,7 +74,7 @@ namespace Heddle
     struct StageSummary
     {
       std::string   name;
-      std::string   status                  = "running";
+      Status        status                  = Status::running;
       unsigned int  steps                   = 0;
       unsigned int  newton_iterations       = 0;
       unsigned int  factorizations          = 0;
@@ -54,6 +99,33 @@ namespace Heddle
       int last_output = -1;
 
       WallTime wall_time;
+
+      /**
+       * Call @p visit (name, value) for all that is told of the @p stage, in
+       * the order of summary.json. A checkpoint keeps the same.
+       */
+      template <typename Visit, typename Stage>
+      static void
+      describe(const Visit &visit, Stage &stage)
+      {
+        visit("name", stage.name);
+        visit("status", stage.status);
+        visit("steps", stage.steps);
+        visit("newton_iterations", stage.newton_iterations);
+        visit("factorizations", stage.factorizations);
+        visit("linear_iterations", stage.linear_iterations);
+        visit("contact_elements", stage.contact_elements);
+        visit("active_contact_elements", stage.active_contact_elements);
+        visit("n_dofs_per_rank", stage.n_dofs_per_rank);
+        visit("max_penetration_ratio", stage.max_penetration_ratio);
+        visit("max_bend_ratio", stage.max_bend_ratio);
+        visit("crossings_total", stage.crossings_total);
+        visit("crossings_wrong", stage.crossings_wrong);
+        visit("crossings_apart", stage.crossings_apart);
+        visit("residual_ratio", stage.residual_ratio);
+        visit("last_output", stage.last_output);
+        visit("wall_time_s", stage.wall_time);
+      }
     };
 
 
@@ -85,15 +157,6 @@ namespace Heddle
      */
     struct Summary
     {
-      enum class Status
-      {
-        running,
-        converged,
-        not_converged,
-        stopped,
-        failed
-      };
-
       Status      status = Status::running;
       std::string reason; /**< one sentence, unless all is well */
 

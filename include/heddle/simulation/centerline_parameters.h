@@ -28,7 +28,6 @@ namespace Heddle
 
     private:
       Textile::PathReading entries;
-      std::string          interpolation = "spline";
     };
   } // namespace Simulation
 } // namespace Heddle

@@ -1,6 +1,7 @@
 #ifndef heddle_simulation_fabric_loading_parameters_h
 #define heddle_simulation_fabric_loading_parameters_h
 
+#include <heddle/base/yarn_set.h>
 #include <heddle/contributions/fabric_supports.h>
 
 #include <deal.II/base/parameter_acceptor.h>
@@ -14,6 +15,80 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** Tests of a fabric. */
+    enum class FabricTest
+    {
+      none,
+      biaxial_tension,
+      uniaxial_tension,
+      picture_frame,
+      simple_shear
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const FabricTest test)
+    {
+      switch (test)
+        {
+          case FabricTest::none:
+            return "none";
+          case FabricTest::biaxial_tension:
+            return "biaxial tension";
+          case FabricTest::uniaxial_tension:
+            return "uniaxial tension";
+          case FabricTest::picture_frame:
+            return "picture frame";
+          case FabricTest::simple_shear:
+            return "simple shear";
+        }
+      return nullptr;
+    }
+
+    /** What sides do along which a fabric is not pulled. */
+    enum class FreeSides
+    {
+      free,
+      held
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const FreeSides sides)
+    {
+      switch (sides)
+        {
+          case FreeSides::free:
+            return "free";
+          case FreeSides::held:
+            return "held";
+        }
+      return nullptr;
+    }
+
+    /** What sections at the ends of fibers do. */
+    enum class SideSections
+    {
+      hinged, /**< they are free to turn */
+      clamped /**< they turn with the fabric */
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const SideSections ends)
+    {
+      switch (ends)
+        {
+          case SideSections::hinged:
+            return "hinged";
+          case SideSections::clamped:
+            return "clamped";
+        }
+      return nullptr;
+    }
+
+
+
     /** A test of a woven sample: the motion of its sides, case by case. */
     class FabricLoadingParameters : public ParameterAcceptor
     {
@@ -24,14 +99,14 @@ namespace Heddle
       bool
       is_active() const
       {
-        return kind != "none";
+        return kind != FabricTest::none;
       }
 
       /** Whether the ends of some yarns are free in the plane. */
       bool
       leaves_yarns_free() const
       {
-        return kind == "uniaxial tension" && sides == "free";
+        return kind == FabricTest::uniaxial_tension && sides == FreeSides::free;
       }
 
       /** Of all load cases [degrees]; 0 where none shears. */
@@ -57,7 +132,8 @@ namespace Heddle
       bool
       is_shear() const
       {
-        return kind == "picture frame" || kind == "simple shear";
+        return kind == FabricTest::picture_frame ||
+               kind == FabricTest::simple_shear;
       }
 
       /** Strain ratios or shear angles; one number without meaning if none. */
@@ -75,13 +151,13 @@ namespace Heddle
       supports(const Contributions::FabricMotion &motion,
                const bool                         matrix) const;
 
-      std::string         kind          = "none";
+      FabricTest          kind          = FabricTest::none;
       double              strain        = 0.02;
       std::vector<double> strain_ratios = {1.};
-      std::string         direction     = "warp";
-      std::string         sides         = "free";
+      YarnSet             direction     = YarnSet::warp;
+      FreeSides           sides         = FreeSides::free;
       std::vector<double> shear_angles  = {20.};
-      std::string         ends          = "hinged";
+      SideSections        ends          = SideSections::hinged;
       std::string         ramp          = "t";
     };
   } // namespace Simulation

@@ -38,9 +38,9 @@ namespace Heddle
       const FiberMaterial &
       material_number(const unsigned int number) const;
 
-      std::string  element_name       = "hermite";
-      unsigned int degree             = 1;
-      unsigned int elements_per_fiber = 36;
+      Beam::ElementKind element_kind       = Beam::ElementKind::hermite;
+      unsigned int      degree             = 1;
+      unsigned int      elements_per_fiber = 36;
 
       FiberMaterial material;
       MaterialList  materials; /**< of fibers that differ; may be empty */

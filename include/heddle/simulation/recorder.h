@@ -129,7 +129,7 @@ namespace Heddle
 
       /** Write how it ended. */
       void
-      finish(const IO::Summary::Status status, const std::string &reason);
+      finish(const IO::Status status, const std::string &reason);
 
     private:
       /** The file of the given initial configuration; empty: none is given. */
@@ -183,6 +183,10 @@ namespace Heddle
       /** If it is asked for. @note Collective. */
       void
       write_centerlines() const;
+
+      /** Where the time went since the program was started. */
+      IO::WallTime
+      clock() const;
 
       void
       update_times();

@@ -11,6 +11,32 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** What a scene is made of. */
+    enum class SceneKind
+    {
+      weave,           /**< laid out from a description */
+      measured_fabric, /**< from a file */
+      centerlines      /**< fibers from a file */
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const SceneKind kind)
+    {
+      switch (kind)
+        {
+          case SceneKind::weave:
+            return "weave";
+          case SceneKind::measured_fabric:
+            return "measured fabric";
+          case SceneKind::centerlines:
+            return "centerlines";
+        }
+      return nullptr;
+    }
+
+
+
     /** What is computed, and where it goes. */
     class RunParameters : public ParameterAcceptor
     {
@@ -21,17 +47,17 @@ namespace Heddle
       bool
       is_from_file() const
       {
-        return scene != "weave";
+        return scene != SceneKind::weave;
       }
 
       /** Whether there are warp and weft, which settle before a load. */
       bool
       is_fabric() const
       {
-        return scene != "centerlines";
+        return scene != SceneKind::centerlines;
       }
 
-      std::string scene            = "weave";
+      SceneKind   scene            = SceneKind::weave;
       std::string output_directory = "";
       bool        timing           = true;
       double      wall_time_limit  = 0.;

@@ -6,13 +6,38 @@
 
 #include <array>
 #include <memory>
-#include <string>
 
 namespace Heddle
 {
   namespace Solid
   {
     using namespace dealii;
+
+    /** Elastic laws of a matrix. */
+    enum class MaterialLaw
+    {
+      linear,              /**< small strains and rotations */
+      st_venant_kirchhoff, /**< small strains */
+      neo_hookean          /**< large strains */
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const MaterialLaw law)
+    {
+      switch (law)
+        {
+          case MaterialLaw::linear:
+            return "linear";
+          case MaterialLaw::st_venant_kirchhoff:
+            return "st venant-kirchhoff";
+          case MaterialLaw::neo_hookean:
+            return "neo-hookean";
+        }
+      return nullptr;
+    }
+
+
 
     /**
      * An isotropic elastic law. Its energy density in the deformation gradient
@@ -56,9 +81,8 @@ namespace Heddle
         return bulk_modulus + 4. / 3. * shear_modulus;
       }
 
-      /** "linear", "st venant-kirchhoff" or "neo-hookean". */
-      virtual std::string
-      name() const = 0;
+      virtual MaterialLaw
+      law() const = 0;
 
       /** Whether strains are small ones, and the tangent is constant. */
       virtual bool
@@ -118,14 +142,14 @@ namespace Heddle
     von_mises(const SymmetricTensor<2, 3> &stress);
 
     /**
-     * Return the law of the given @p name for Young's modulus
-     * @p youngs_modulus [MPa] and Poisson's ratio. The modulus is positive, the
+     * Return the @p law for Young's modulus @p youngs_modulus [MPa] and
+     * Poisson's ratio. The modulus is positive, the
      * ratio between -1 and 0.5; an InputError says what else was found.
      */
     std::unique_ptr<Material>
-    make_material(const std::string &name,
-                  const double       youngs_modulus,
-                  const double       poisson_ratio);
+    make_material(const MaterialLaw law,
+                  const double      youngs_modulus,
+                  const double      poisson_ratio);
   } // namespace Solid
 } // namespace Heddle
 

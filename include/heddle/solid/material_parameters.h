@@ -9,13 +9,39 @@ namespace Heddle
 {
   namespace Solid
   {
+    /** What keeps cells from locking where their volume hardly changes. */
+    enum class LockingRemedy
+    {
+      automatic, /**< the one below for degree 1 */
+      mean_dilatation,
+      none
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const LockingRemedy remedy)
+    {
+      switch (remedy)
+        {
+          case LockingRemedy::automatic:
+            return "automatic";
+          case LockingRemedy::mean_dilatation:
+            return "mean dilatation";
+          case LockingRemedy::none:
+            return "none";
+        }
+      return nullptr;
+    }
+
+
+
     /** What a user may say about the material of the matrix. */
     struct MaterialParameters
     {
-      std::string law            = "linear";
-      double      youngs_modulus = 1.; /**< [MPa] */
-      double      poisson_ratio  = 0.3;
-      std::string locking_remedy = "automatic";
+      MaterialLaw   law            = MaterialLaw::linear;
+      double        youngs_modulus = 1.; /**< [MPa] */
+      double        poisson_ratio  = 0.3;
+      LockingRemedy locking_remedy = LockingRemedy::automatic;
 
       /** Declare the entries in the section of @p owner. */
       void

@@ -20,8 +20,8 @@ namespace Heddle
     public:
       using Material::Material;
 
-      std::string
-      name() const override;
+      MaterialLaw
+      law() const override;
 
       bool
       is_linear() const override;

@@ -18,6 +18,32 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** How linear systems are solved. */
+    enum class LinearSolverKind
+    {
+      automatic,   /**< direct for few unknowns */
+      direct,      /**< sparse factorization */
+      fiber_blocks /**< conjugate gradients */
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const LinearSolverKind kind)
+    {
+      switch (kind)
+        {
+          case LinearSolverKind::automatic:
+            return "automatic";
+          case LinearSolverKind::direct:
+            return "direct";
+          case LinearSolverKind::fiber_blocks:
+            return "fiber blocks";
+        }
+      return nullptr;
+    }
+
+
+
     class LinearSolverParameters : public ParameterAcceptor
     {
     public:
@@ -35,16 +61,46 @@ namespace Heddle
         const unsigned int below = contact  ? direct_below_with_contact
                                    : matrix ? direct_below_in_matrix
                                             : direct_below;
-        return kind == "direct" || (kind == "automatic" && n_dofs < below);
+        switch (kind)
+          {
+            case LinearSolverKind::automatic:
+              return n_dofs < below;
+            case LinearSolverKind::direct:
+              return true;
+            case LinearSolverKind::fiber_blocks:
+              return false;
+          }
+        Assert(false, ExcInternalError());
+        return false;
       }
 
-      std::string  kind           = "automatic";
-      double       tolerance      = 0.03;
-      unsigned int max_iterations = 400;
-      unsigned int direct_below   = 15000;
+      LinearSolverKind kind           = LinearSolverKind::automatic;
+      double           tolerance      = 0.03;
+      unsigned int     max_iterations = 400;
+      unsigned int     direct_below   = 15000;
 
       unsigned int direct_below_in_matrix    = 100000;
       unsigned int direct_below_with_contact = 2500;
+    };
+
+    /** How good a solution of a linear system is to be. */
+    struct LinearTask
+    {
+      /**
+       * Whether it is factorized where conjugate gradients do not converge,
+       * since the tangent is not positive definite or in too many iterations.
+       * Otherwise they hand over what they have.
+       */
+      bool exactly = true;
+
+      /**
+       * Whether conjugate gradients are helped to find how yarns and their
+       * parts move. If not these move less than they should, as if damped.
+       */
+      bool yarn_motions = true;
+
+      /** By how much their tolerance is more than the usual one [-]. */
+      double looser = 1.;
     };
 
     /** How the linear system of a Newton iteration was solved. */
@@ -79,22 +135,13 @@ namespace Heddle
       /**
        * Solve for system.solution() what system.tangent(), the terms beside it
        * and system.right_hand_side() ask for.
-       * Where conjugate gradients do not converge, since the tangent is not
-       * positive definite or in too many iterations, they hand over what they
-       * have, or, if it is to be solved @p exactly, it is factorized. That is
-       * where no fibers come near each other. Without a matrix, too, the
-       * preconditioner is the inverse then, but for shifts and round-off: there
-       * conjugate gradients are not given many iterations.
-       *
-       * Without @p yarn_motions conjugate gradients are not helped to find how
-       * yarns and their parts move: they then move less than they should, as if
-       * damped. Their tolerance is @p looser times the usual one.
+       * An exact solution is for where no fibers come near each other. Without
+       * a matrix, too, the preconditioner is the inverse then, but for shifts
+       * and round-off: there conjugate gradients are not given many iterations.
        * @note Collective.
        */
       LinearResult
-      solve(const bool   exactly,
-            const bool   yarn_motions = true,
-            const double looser       = 1.);
+      solve(const LinearTask &task = LinearTask());
 
       /**
        * Energy of the unbalanced forces of the system as last assembled: what
@@ -111,10 +158,7 @@ namespace Heddle
 
       /** Return whether it converged. */
       bool
-      iterate(const bool    exactly,
-              const bool    yarn_motions,
-              const double  looser,
-              LinearResult &result);
+      iterate(const LinearTask &task, LinearResult &result);
 
       /** Return whether @p solver, as it is set up, converged. */
       bool

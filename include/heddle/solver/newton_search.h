@@ -172,6 +172,12 @@ namespace Heddle
       void
       report() const;
 
+      /** Why a search with prescribed motion ends before that is done. */
+      static constexpr const char *not_arrived =
+        "supports do not get to where they are to be: contact, or elements of "
+        "fibers or cells of the matrix that would turn inside out, allow short "
+        "steps only";
+
       Equations          &equations;
       NewtonTools        &tools;
       const NewtonLimits &limits;

@@ -20,6 +20,20 @@ namespace Heddle
       catmull_rom
     };
 
+    /** How the user names them. */
+    constexpr const char *
+    word(const Interpolation interpolation)
+    {
+      switch (interpolation)
+        {
+          case Interpolation::spline:
+            return "spline";
+          case Interpolation::catmull_rom:
+            return "catmull-rom";
+        }
+      return nullptr;
+    }
+
 
 
     /**

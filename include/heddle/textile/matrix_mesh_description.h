@@ -20,6 +20,20 @@ namespace Heddle
       block
     };
 
+    /** How the user names them. */
+    constexpr const char *
+    word(const MatrixShape shape)
+    {
+      switch (shape)
+        {
+          case MatrixShape::fabric:
+            return "fabric";
+          case MatrixShape::block:
+            return "block";
+        }
+      return nullptr;
+    }
+
 
 
     /** The mesh of a matrix around a fabric, as the user describes it. */

@@ -5,8 +5,6 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
-#include <string>
-
 namespace Heddle
 {
   namespace Textile
@@ -19,12 +17,14 @@ namespace Heddle
       void
       add_parameters(ParameterAcceptor &owner);
 
-      MatrixMeshDescription
-      description() const;
+      const MatrixMeshDescription &
+      description() const
+      {
+        return mesh;
+      }
 
     private:
       MatrixMeshDescription mesh;
-      std::string           shape = "fabric";
     };
   } // namespace Textile
 } // namespace Heddle

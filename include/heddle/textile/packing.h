@@ -22,6 +22,20 @@ namespace Heddle
       hexagonal
     };
 
+    /** How the user names them. */
+    constexpr const char *
+    word(const Layout layout)
+    {
+      switch (layout)
+        {
+          case Layout::rows:
+            return "rows";
+          case Layout::hexagonal:
+            return "hexagonal";
+        }
+      return nullptr;
+    }
+
 
 
     /** What a yarn is made of, and how it is packed. */

@@ -18,6 +18,20 @@ namespace Heddle
       crimped
     };
 
+    /** How the user names them. */
+    constexpr const char *
+    word(const Start start)
+    {
+      switch (start)
+        {
+          case Start::interpenetrating:
+            return "interpenetrating";
+          case Start::crimped:
+            return "crimped";
+        }
+      return nullptr;
+    }
+
 
 
     /** All the warp yarns, or all the weft yarns. */

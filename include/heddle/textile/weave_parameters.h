@@ -34,10 +34,9 @@ namespace Heddle
       /** One family as it is written in the file. */
       struct Entries
       {
-        YarnFamily  yarns;
-        std::string layout         = "rows";
-        int         seed           = 1;
-        double      linear_density = 0.; /**< [tex]; 0: of the fibers */
+        YarnFamily yarns;
+        int        seed           = 1;
+        double     linear_density = 0.; /**< [tex]; 0: of the fibers */
       };
 
       void
@@ -50,7 +49,6 @@ namespace Heddle
       add_packing(Entries &entries);
 
       WeaveDescription weave;
-      std::string      start        = "crimped";
       bool             weft_is_warp = true;
       Entries          warp;
       Entries          weft;
