@@ -77,6 +77,9 @@ namespace Heddle
             for (unsigned int i = 0; i + 1 < yarn.lines[f].size(); ++i)
               add_piece(yarn, f, yarn.lines[f][i], yarn.lines[f][i + 1]);
           }
+      if (window.found())
+        for (const YarnBody &yarn : yarns)
+          add_crimp(yarn);
     }
 
 
@@ -109,14 +112,6 @@ namespace Heddle
       const double       volume = numbers::PI * radius * radius * piece.norm();
       sets[d].orientation.add(piece, volume);
       sets[d].mass += yarn.densities[f] * volume;
-      if (window.found())
-        {
-          const Tensor<1, 3> span =
-            yarn.lines[f].back() - yarn.lines[f].front();
-          sets[d].length += piece.norm();
-          sets[d].way += std::copysign(1., window.coordinate(d, span)) *
-                         window.coordinate(d, piece);
-        }
       for (const double end : {part.first, part.second})
         {
           const Tensor<1, 3> point = a + end * (b - a);
@@ -126,6 +121,27 @@ namespace Heddle
           lowest  = std::min(lowest, point[2] - radius);
           highest = std::max(highest, point[2] + radius);
         }
+    }
+
+
+
+    void
+    FabricSheet::add_crimp(const YarnBody &yarn)
+    {
+      const unsigned int d   = number_of(yarn.set);
+      double             way = 0.;
+      for (unsigned int i = 0; i + 1 < yarn.mean.size(); ++i)
+        {
+          const Tensor<1, 3> &a = yarn.mean[i], &b = yarn.mean[i + 1];
+          const auto          part = window.part_between(d, a, b);
+          if (part.second <= part.first)
+            continue;
+          const Tensor<1, 3> piece = (part.second - part.first) * (b - a);
+          sets[d].length += piece.norm();
+          way += window.coordinate(d, piece);
+        }
+      // Yarns may run either way.
+      sets[d].way += std::abs(way);
     }
 
 

@@ -312,10 +312,10 @@ lost_and_doubled()
   lost.points.resize(33);
   lost.reference_length *= 0.5;
   const Placed short_of_one(paths);
-  deallog << "crimp without half of a fiber, over the one with it: "
-          << short_of_one.results()["warp_crimp[-]"] /
-               fabric.results()["warp_crimp[-]"]
-          << std::endl;
+  for (const std::string name : {"warp_crimp[-]", "warp_inner_crimp[-]"})
+    deallog << name << " without half of a fiber, over the one with it: "
+            << short_of_one.results()[name] / fabric.results()[name]
+            << std::endl;
 
   deallog << "overfull: '" << fabric.report->overfull(5) << "'" << std::endl;
   // Where a fiber lies in another one there are two of them.

@@ -55,7 +55,7 @@ namespace Heddle
         FiberOrientation orientation; /**< weighted by volume */
         double           mass   = 0.; /**< [mm^3 g/cm^3] */
         double           area   = 0.; /**< of the fabric; 0: no window [mm^2] */
-        double           length = 0.; /**< of all fibers [mm] */
+        double           length = 0.; /**< of all mean lines [mm] */
         double           way    = 0.; /**< of these along the yarns [mm] */
       };
 
@@ -69,6 +69,10 @@ namespace Heddle
                 const unsigned int  f,
                 const Tensor<1, 3> &a,
                 const Tensor<1, 3> &b);
+
+      /** Add what the mean line lies within the window. */
+      void
+      add_crimp(const YarnBody &yarn);
 
       /** How the fibers of all sets run, by their volume per area. */
       FiberOrientation
