@@ -155,8 +155,9 @@ struct ClosedForm
 
 
 /**
- * With elements of half the length the error is a fourth of it; fibers that
- * stick out, bent away from the fabric, do not count.
+ * The error falls with the square of the length of elements, or faster; that of
+ * the thickness depends on where the crests lie between points as well. Fibers
+ * that stick out, bent away from the fabric, do not count.
  */
 void
 waves()
