@@ -267,8 +267,8 @@ namespace Heddle
             " of its " + std::to_string(fiber.points.size()) +
             " points and is " + number_text(order.excess, 2) +
             " times as long as the way from each to the nearest one; give "
-            "them in their order along the fiber, or more of them if it does "
-            "run so.");
+            "them in their order along the fiber, and not closer to each "
+            "other than they are exact.");
 
         const InterpolatedCurve curve(fiber.points, reading.interpolation);
         const unsigned int      n_samples = 64 * (fiber.points.size() - 1);

@@ -1,5 +1,6 @@
 #include <heddle/textile/point_order.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,6 +11,12 @@ namespace Heddle
   {
     namespace
     {
+      /** At which the way is looked at: the first of a fiber, for it takes the
+       * square of their number. */
+      constexpr unsigned int most_points = 1000;
+
+
+
       /** Length of the way to the nearest point that is left, again and again,
        * from the one that is farthest from the middle [mm]. */
       double
@@ -48,15 +55,18 @@ namespace Heddle
     order_of(const Polyline &points)
     {
       PointOrder order;
-      double     length = 0.;
-      for (unsigned int i = 0; i + 1 < points.size(); ++i)
-        {
-          const Tensor<1, 3> piece = points[i + 1] - points[i];
-          length += piece.norm();
-          order.n_turns += i > 0 && piece * (points[i] - points[i - 1]) < 0.;
-        }
-      if (order.n_turns > 0 && 4 * order.n_turns + 2 >= points.size())
-        order.excess = length / way_by_nearest(points);
+      for (unsigned int i = 1; i + 1 < points.size(); ++i)
+        order.n_turns +=
+          (points[i + 1] - points[i]) * (points[i] - points[i - 1]) < 0.;
+      if (order.n_turns == 0 || 4 * order.n_turns + 2 < points.size())
+        return order;
+      const Polyline first(points.begin(),
+                           points.begin() +
+                             std::min<std::size_t>(points.size(), most_points));
+      double         length = 0.;
+      for (unsigned int i = 0; i + 1 < first.size(); ++i)
+        length += (first[i + 1] - first[i]).norm();
+      order.excess = length / way_by_nearest(first);
       return order;
     }
   } // namespace Textile

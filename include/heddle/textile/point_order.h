@@ -18,7 +18,7 @@ namespace Heddle
        * How many times as long that way is as the one that goes to the nearest
        * point that is left, from the one that is farthest from the middle. 1
        * where fewer than a quarter of the inner points are turns: then it is
-       * not looked for, which takes the square of their number.
+       * not looked for. Of fibers of many points the first thousand tell.
        */
       double excess = 1.;
 
