@@ -2,12 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace Heddle
 {
   namespace
   {
+    /** Of a yarn's length, that a fiber should not lack at an end [-]. */
+    constexpr double large_part = 0.1;
+
+    /** From end to end of a yarn that has two ends, over its length [-]. */
+    constexpr double least_way = 0.5;
+
+
+
     /** Lengths along @p line up to each of its points. */
     std::vector<double>
     lengths_along(const Polyline &line)
@@ -91,6 +100,47 @@ namespace Heddle
           }
       }
     return mean;
+  }
+
+
+
+  std::vector<unsigned int>
+  short_fibers(const std::vector<Polyline> &fibers)
+  {
+    Tensor<1, 3> span;
+    double       longest = 0.;
+    for (const Polyline &fiber : fibers)
+      {
+        const Tensor<1, 3> own = fiber.back() - fiber.front();
+        span += own * span < 0. ? -own : own;
+        longest = std::max(longest, lengths_along(fiber).back());
+      }
+    const double norm = span.norm();
+    if (norm < least_way * longest * fibers.size())
+      return {};
+    std::vector<double> low, high;
+    for (const Polyline &fiber : fibers)
+      {
+        const double a = fiber.front() * span / norm;
+        const double b = fiber.back() * span / norm;
+        low.push_back(std::min(a, b));
+        high.push_back(std::max(a, b));
+      }
+    const unsigned int quarter = (fibers.size() - 1) / 4;
+    auto               lows = low, highs = high;
+    std::nth_element(lows.begin(), lows.begin() + quarter, lows.end());
+    std::nth_element(highs.begin(),
+                     highs.begin() + quarter,
+                     highs.end(),
+                     std::greater<double>());
+    const double begin = lows[quarter], end = highs[quarter];
+
+    std::vector<unsigned int> result;
+    for (unsigned int f = 0; f < fibers.size(); ++f)
+      if (low[f] > begin + large_part * (end - begin) ||
+          high[f] < end - large_part * (end - begin))
+        result.push_back(f);
+    return result;
   }
 
 

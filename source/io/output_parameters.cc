@@ -57,7 +57,9 @@ namespace Heddle
       add_parameter("Yarn stations",
                     yarn_stations,
                     "Sections at which each yarn is measured at the end of a "
-                    "stage (yarns.csv); 0: none. Inactive without yarns [-].",
+                    "stage (yarns.csv); 0: none, nor what else is measured on "
+                    "them (orientation.csv, results of summary.json). Inactive "
+                    "without yarns [-].",
                     prm,
                     Patterns::Integer(0));
     }

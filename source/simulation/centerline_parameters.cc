@@ -13,7 +13,8 @@ namespace Heddle
                     file,
                     "Comma-separated values with the columns "
                     "fiber,x,y,z[,radius][,set][,yarn], one line per point, "
-                    "such as the centerlines.csv of another run; as seen from "
+                    "such as the centerlines.csv of another run; semicolons or "
+                    "tabs may stand for commas; as seen from "
                     "the folder of the parameter file. Supports and loads find "
                     "fibers by their set; those of the same yarn are measured "
                     "together. A fiber has one radius, the mean of those of "

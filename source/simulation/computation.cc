@@ -93,6 +93,8 @@ namespace Heddle
           if (!parameters.restart.initial_configuration.empty())
             recorder.read_initial_configuration(log);
           recorder.begin(place);
+          if (scene.stages().empty())
+            tell_overfull_yarns();
         }
       try
         {
@@ -257,6 +259,7 @@ namespace Heddle
       const std::string kink = kink_in_words();
       if (!kink.empty())
         log << "Note           " << kink << std::endl;
+      tell_overfull_yarns();
       if (!stage.is_loaded)
         return;
       const std::string lost = scene.lost_crossings();
@@ -271,6 +274,15 @@ namespace Heddle
       const std::string turned = scene.turned_matrix();
       if (!turned.empty())
         log << "Note           " << turned << std::endl;
+    }
+
+
+
+    void
+    Computation::tell_overfull_yarns() const
+    {
+      if (!recorder.overfull_yarns().empty())
+        log << "Note           " << recorder.overfull_yarns() << std::endl;
     }
 
 

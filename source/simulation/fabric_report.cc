@@ -1,10 +1,11 @@
 #include <heddle/base/yarn_set.h>
 #include <heddle/post/centerline.h>
+#include <heddle/post/fabric_sheet.h>
 #include <heddle/post/yarn_section.h>
 #include <heddle/simulation/fabric_report.h>
 
 #include <algorithm>
-#include <limits>
+#include <iomanip>
 #include <sstream>
 
 namespace Heddle
@@ -17,16 +18,39 @@ namespace Heddle
        * least. */
       constexpr unsigned int n_pieces = 4, n_mean_points = 201;
 
+      /** Volume fraction of what is nothing but fibers, a single one for
+       * instance, with what chords make of a bend [-]. */
+      constexpr double full = 1.01;
 
 
-      /** The mean line of a yarn, as fine as its fibers. */
+
+      /** The mean line of a yarn, as fine as its fibers. Those that end before
+       * it does have no place along it that is known. */
       Polyline
       mean_line_of(const std::vector<Polyline> &fibers)
       {
         std::size_t n = n_mean_points;
         for (const Polyline &fiber : fibers)
           n = std::max(n, fiber.size());
-        return mean_line(fibers, n);
+        const std::vector<unsigned int> lost = short_fibers(fibers);
+        if (lost.empty())
+          return mean_line(fibers, n);
+        std::vector<Polyline> whole;
+        for (unsigned int f = 0; f < fibers.size(); ++f)
+          if (!std::binary_search(lost.begin(), lost.end(), f))
+            whole.push_back(fibers[f]);
+        return mean_line(whole, n);
+      }
+
+
+
+      double
+      length_of(const Polyline &line)
+      {
+        double length = 0.;
+        for (unsigned int i = 0; i + 1 < line.size(); ++i)
+          length += (line[i + 1] - line[i]).norm();
+        return length;
       }
 
 
@@ -42,7 +66,8 @@ namespace Heddle
 
 
     FabricReport::FabricReport(const System::State &state)
-      : lines(Post::gather_centerlines(state, n_pieces))
+      : space(state.space)
+      , lines(Post::gather_centerlines(state, n_pieces))
       , yarns(lines.empty() ? 0 : state.space.n_yarns())
     {
       for (unsigned int f = 0; f < lines.size(); ++f)
@@ -123,7 +148,8 @@ namespace Heddle
 
 
     std::map<std::string, double>
-    FabricReport::results(const unsigned int n_stations) const
+    FabricReport::results(const unsigned int         n_stations,
+                          const std::vector<double> &densities) const
     {
       std::map<std::string, double>                          result;
       std::map<std::string, std::pair<double, unsigned int>> sums;
@@ -150,24 +176,81 @@ namespace Heddle
       for (const auto &sum : sums)
         result[sum.first] = sum.second.first / sum.second.second;
       if (!yarns.empty())
-        result["thickness[mm]"] = thickness();
+        Post::FabricSheet(bodies(densities)).add_to(result);
       return result;
     }
 
 
 
-    double
-    FabricReport::thickness() const
+    std::string
+    FabricReport::orientation_csv() const
     {
-      double low = std::numeric_limits<double>::max(), high = -low;
-      for (const Yarn &yarn : yarns)
-        for (unsigned int f = 0; f < yarn.lines.size(); ++f)
-          for (const auto &point : yarn.lines[f])
+      return Post::FabricSheet(bodies({})).orientation_csv();
+    }
+
+
+
+    std::string
+    FabricReport::overfull(const unsigned int n_stations) const
+    {
+      if (yarns.empty())
+        return "";
+      std::ostringstream text;
+      text << std::setprecision(3);
+      const double overall = Post::FabricSheet(bodies({})).volume_fraction();
+      if (overall > full)
+        text << "the fabric has a volume fraction of " << overall;
+      unsigned int n_full = 0, worst_yarn = 0;
+      double       largest = full, worst_station = 0.;
+      for (unsigned int y = 0; y < yarns.size(); ++y)
+        {
+          const Polyline mean = mean_line_of(yarns[y].lines);
+          for (unsigned int i = 0; i < n_stations; ++i)
             {
-              low  = std::min(low, point[2] - yarn.radii[f]);
-              high = std::max(high, point[2] + yarn.radii[f]);
+              const double fraction = station(i, n_stations);
+              const double found    = Post::cut_yarn(yarns[y].lines,
+                                                  yarns[y].radii,
+                                                  plane_at(mean, fraction))
+                                     .volume_fraction();
+              n_full += found > full;
+              if (found > largest)
+                {
+                  largest       = found;
+                  worst_yarn    = y;
+                  worst_station = fraction;
+                }
             }
-      return high - low;
+        }
+      if (n_full > 0)
+        text << (overall > full ? ", and " : "") << n_full << " of "
+             << n_stations * yarns.size()
+             << " sections of yarns have one above 1, up to " << largest
+             << " of yarn " << worst_yarn << " at station " << worst_station;
+      if (text.str().empty())
+        return "";
+      text << ": fibers lie in each other, or pass the section aslant, or "
+              "their radius is too large";
+      return text.str();
+    }
+
+
+
+    std::vector<Post::YarnBody>
+    FabricReport::bodies(const std::vector<double> &densities) const
+    {
+      std::vector<Post::YarnBody> result;
+      for (const Yarn &yarn : yarns)
+        {
+          result.push_back(
+            {yarn.set, yarn.lines, yarn.radii, {}, mean_line_of(yarn.lines)});
+          // What a fiber weighs it keeps when it is stretched.
+          for (const unsigned int f : yarn.fibers)
+            result.back().densities.push_back(
+              densities.empty()
+                ? 0.
+                : densities[f] * space.fiber(f).length / length_of(lines[f]));
+        }
+      return result;
     }
   } // namespace Simulation
 } // namespace Heddle

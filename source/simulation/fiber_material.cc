@@ -64,6 +64,14 @@ namespace Heddle
         "is bent, and it kinks. Inactive for 'hermite' [N].",
         ParameterAcceptor::prm,
         Patterns::Double(0.));
+      owner.add_parameter(
+        "Density",
+        density,
+        "Of the fibers, for what a fabric weighs: nothing else depends on "
+        "it. 0: not known, or, in a weave, that of its yarns "
+        "(Weave/Warp yarns/Density), which it must not contradict [g/cm^3].",
+        ParameterAcceptor::prm,
+        Patterns::Double(0.));
     }
 
 

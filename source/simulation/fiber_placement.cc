@@ -1,4 +1,6 @@
+#include <heddle/base/exceptions.h>
 #include <heddle/base/normals.h>
+#include <heddle/base/number_text.h>
 #include <heddle/simulation/fiber_placement.h>
 
 #include <deal.II/base/exceptions.h>
@@ -62,6 +64,35 @@ namespace Heddle
         }
       return std::make_unique<System::FiberSpace>(
         communicator, std::move(element), descriptions);
+    }
+
+
+
+    std::vector<double>
+    densities_of(const System::FiberSpace              &space,
+                 const std::vector<Textile::FiberPath> &paths,
+                 const FiberParameters                 &parameters)
+    {
+      const std::vector<unsigned int> materials =
+        parameters.materials_of(space.names());
+      std::vector<double> densities;
+      for (unsigned int f = 0; f < paths.size(); ++f)
+        {
+          const double of_yarn = paths[f].density;
+          const double of_material =
+            parameters.material_number(materials[f]).density;
+          if (of_yarn > 0. && of_material > 0. && of_yarn != of_material)
+            throw InputError(
+              (materials[f] == 0
+                 ? std::string("Fiber")
+                 : "Fiber/Material " + std::to_string(materials[f])) +
+              ": \"Density\" is " + number_text(of_material) +
+              " g/cm^3, but that of the " + paths[f].set +
+              " yarns, which are of it, is " + number_text(of_yarn) +
+              "; leave one of them out.");
+          densities.push_back(of_yarn > 0. ? of_yarn : of_material);
+        }
+      return densities;
     }
 
 

@@ -154,7 +154,8 @@ namespace Heddle
       std::error_code   none_there;
       if (given.empty() || !files::equivalent(own, given, none_there))
         files::remove(own);
-      for (const std::string name : {"history.csv", "yarns.csv", centerlines})
+      for (const std::string name :
+           {"history.csv", "yarns.csv", "orientation.csv", centerlines})
         files::remove(directory + "/" + name);
       for (const std::string name :
            {"fibers", "contacts", "matrix", "coupling"})
@@ -335,8 +336,10 @@ namespace Heddle
       const FabricReport fabric(scene.state());
       if (!first_rank)
         return;
-      summary.results = fabric.results(n_stations);
+      summary.results = fabric.results(n_stations, scene.densities());
+      overfull        = fabric.overfull(n_stations);
       write_file(directory + "/yarns.csv", fabric.yarns_csv(n_stations));
+      write_file(directory + "/orientation.csv", fabric.orientation_csv());
     }
 
 

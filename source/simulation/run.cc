@@ -170,7 +170,12 @@ namespace Heddle
               << tension_in_words(space, parameters.settle.axial_tension)
               << " MPa in every fiber while the fabric settles, with which a "
                  "test begins (Initial configuration/Axial tension)\n";
-        log << "Extent         " << extent_in_words(scene) << " at the start\n"
+        // The stress at a strain of 1e-3, in MPa, is the modulus in GPa, as
+        // data sheets have it.
+        log << "Stiffness      " << tension_in_words(space, /*strain=*/1e-3)
+            << " GPa along the fibers (Fiber/Axial modulus, or Axial "
+               "stiffness over the area)\n"
+            << "Extent         " << extent_in_words(scene) << " at the start\n"
             << "Nodes          " << space.n_nodes() << '\n'
             << "Unknowns       " << space.n_dofs() << '\n';
         if (!matrix.objection.empty())

@@ -35,9 +35,10 @@ namespace Heddle
     {
       make_paths(parameter_file);
       Textile::check_paths(paths);
-      fiber_space    = make_space(paths, parameters.fiber, communicator);
-      initial_blocks = place_on_paths(*fiber_space, paths);
-      configuration  = std::make_unique<System::State>(*fiber_space);
+      fiber_space     = make_space(paths, parameters.fiber, communicator);
+      fiber_densities = densities_of(*fiber_space, paths, parameters.fiber);
+      initial_blocks  = place_on_paths(*fiber_space, paths);
+      configuration   = std::make_unique<System::State>(*fiber_space);
       configuration->set(initial_blocks);
       configuration->accept();
 

@@ -5,6 +5,7 @@
 #include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
+#include <heddle/textile/lost_fibers.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -200,6 +201,31 @@ namespace Heddle
 
 
 
+    std::string
+    Scene::turned_back() const
+    {
+      const auto worst = std::max_element(
+        paths.begin(), paths.end(), [](const auto &left, const auto &right) {
+          return left.n_turns < right.n_turns;
+        });
+      if (worst->n_turns == 0)
+        return "";
+      const unsigned int n =
+        std::count_if(paths.begin(), paths.end(), [](const auto &path) {
+          return path.n_turns > 0;
+        });
+      return parameters.centerlines.file + ": fiber " +
+             std::to_string(worst - paths.begin()) + " (counted from 0)" +
+             (n == 1 ? "" : ", like " + std::to_string(n - 1) + " others,") +
+             " turns by more than 90 degrees at " +
+             std::to_string(worst->n_turns) +
+             (worst->n_turns == 1 ? " point" : " points") +
+             "; see whether points are in their order, and not closer to each "
+             "other than they are exact";
+    }
+
+
+
     std::vector<std::string>
     Scene::notes() const
     {
@@ -207,7 +233,9 @@ namespace Heddle
       if (woven)
         result = woven->notes();
       for (const std::string &note :
-           {measured ? measured->short_fibers() : std::string(),
+           {woven ? std::string()
+                  : Textile::lost_fibers(paths, parameters.centerlines.file),
+            turned_back(),
             crumbled_fiber(),
             missed_points()})
         if (!note.empty())

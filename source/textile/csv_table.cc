@@ -21,6 +21,39 @@ namespace Heddle
           text += (text.empty() ? "" : ",") + word;
         return text;
       }
+
+
+
+      /** "fiber,x,y,z and perhaps radius". */
+      std::string
+      names_in_words(const std::vector<std::string> &required,
+                     const std::vector<std::string> &optional)
+      {
+        return join(required) +
+               (optional.empty() ? "" : " and perhaps " + join(optional));
+      }
+
+
+
+      /** What separates the names of columns. */
+      char
+      separator_of(const std::string &line)
+      {
+        for (const char separator : {',', ';', '\t'})
+          if (line.find(separator) != std::string::npos)
+            return separator;
+        return ',';
+      }
+
+
+
+      std::string
+      without_quotes(const std::string &word)
+      {
+        return word.size() > 1 && word.front() == '"' && word.back() == '"'
+                 ? word.substr(1, word.size() - 2)
+                 : word;
+      }
     } // namespace
 
 
@@ -32,15 +65,26 @@ namespace Heddle
       : input(input)
       , name(name)
     {
-      const std::string wanted =
-        join(required) +
-        (optional.empty() ? "" : " and perhaps " + join(optional));
       if (!read_line())
         throw InputError(name +
                          ": the file is empty; its first line must name "
                          "the columns " +
-                         wanted + ".");
+                         names_in_words(required, optional) + ".");
       header = values;
+      check_header(required, optional);
+    }
+
+
+
+    void
+    CsvTable::check_header(const std::vector<std::string> &required,
+                           const std::vector<std::string> &optional) const
+    {
+      const std::string wanted = names_in_words(required, optional);
+      if (header.size() == 1 && header[0].find(' ') != std::string::npos)
+        fail("'" + header[0] +
+             "' has no commas; this line must name the columns " + wanted +
+             ", separated by commas, semicolons or tabs, as values are.");
       for (const std::string &column : required)
         if (!has(column))
           fail("there is no column '" + column +
@@ -68,7 +112,11 @@ namespace Heddle
       if (values.size() != header.size())
         fail("found " + std::to_string(values.size()) + " values for " +
              std::to_string(header.size()) +
-             " columns; give one value for each, separated by commas.");
+             " columns; give one value for each, separated by " +
+             (separator == ','   ? "commas"
+              : separator == ';' ? "semicolons"
+                                 : "tabs") +
+             ", with decimal points.");
       return true;
     }
 
@@ -101,7 +149,9 @@ namespace Heddle
       stream >> value;
       if (stream.fail() || !stream.eof() || !std::isfinite(value))
         fail("column '" + column + "' holds '" + word +
-             "'; give a finite number.");
+             (word.find(',') == std::string::npos
+                ? "'; give a finite number."
+                : "'; give a number with a decimal point."));
       return value;
     }
 
@@ -117,19 +167,42 @@ namespace Heddle
 
 
     bool
+    CsvTable::take_line(std::string &line)
+    {
+      line.clear();
+      for (char letter; input.get(letter);)
+        {
+          if (letter == '\r' && input.peek() == '\n')
+            continue;
+          if (letter == '\n' || letter == '\r')
+            return true;
+          line += letter;
+        }
+      return !line.empty();
+    }
+
+
+
+    bool
     CsvTable::read_line()
     {
-      for (std::string line; std::getline(input, line);)
+      for (std::string line; take_line(line);)
         {
           ++line_number;
-          line = dealii::Utilities::trim(line.substr(0, line.find('#')));
-          if (line.empty())
+          if (line.find('\0') != std::string::npos)
+            fail("there are bytes of no text, as in UTF-16 or in a "
+                 "spreadsheet; save the table as comma-separated values in "
+                 "UTF-8.");
+          line = line.substr(0, line.find('#'));
+          if (dealii::Utilities::trim(line).empty())
             continue;
+          if (separator == 0)
+            separator = separator_of(line);
           values.clear();
-          line += ',';
+          line += separator;
           std::istringstream words(line);
-          for (std::string word; std::getline(words, word, ',');)
-            values.push_back(dealii::Utilities::trim(word));
+          for (std::string word; std::getline(words, word, separator);)
+            values.push_back(without_quotes(dealii::Utilities::trim(word)));
           return true;
         }
       return false;

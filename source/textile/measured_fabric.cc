@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace Heddle
@@ -16,13 +15,6 @@ namespace Heddle
     {
       const std::array<std::string, 2> sets = {
         {word(YarnSet::warp), word(YarnSet::weft)}};
-
-      /** Of a yarn's length, that a fiber should not lack at an end [-]. */
-      constexpr double large_part = 0.1;
-
-      /** Yarns that are closer than this, over their width, lie over each other
-       * and not side by side [-]. */
-      constexpr double stacked = 0.5;
 
       /** 0 for the warp, which runs along x, 1 for the weft, along y. */
       unsigned int
@@ -51,14 +43,12 @@ namespace Heddle
       : name(name)
     {
       /** Sum of the places of fibers across their yarn, their number, and from
-       * where to where they reach across and along it. */
+       * where to where they reach across it. */
       struct Sum
       {
         double       places   = 0.;
         unsigned int n_fibers = 0;
         Extent       across;
-        double       begin = std::numeric_limits<double>::max();
-        double       end   = -std::numeric_limits<double>::max();
       };
       std::array<std::map<unsigned int, Sum>, 2> yarns;
       for (unsigned int f = 0; f < paths.size(); ++f)
@@ -75,17 +65,6 @@ namespace Heddle
           sum.across.add(place - paths[f].radius);
           sum.across.add(place + paths[f].radius);
           ++sum.n_fibers;
-          sum.begin = std::min(sum.begin, points.front()[d]);
-          sum.end   = std::max(sum.end, points.back()[d]);
-        }
-      for (unsigned int f = 0; f < paths.size(); ++f)
-        {
-          const unsigned int d    = paths[f].set == sets[0] ? 0 : 1;
-          const Sum         &yarn = yarns[d][paths[f].yarn_id];
-          const double       much = large_part * (yarn.end - yarn.begin);
-          if (paths[f].points.front()[d] > yarn.begin + much ||
-              paths[f].points.back()[d] < yarn.end - much)
-            short_ones.push_back(f);
         }
       for (unsigned int d = 0; d < 2; ++d)
         {
@@ -97,27 +76,7 @@ namespace Heddle
             yarns_of[d].push_back(
               {yarn.second.places / yarn.second.n_fibers,
                yarn.second.across.high - yarn.second.across.low});
-          std::sort(yarns_of[d].begin(), yarns_of[d].end());
         }
-    }
-
-
-
-    std::string
-    MeasuredFabric::short_fibers() const
-    {
-      if (short_ones.empty())
-        return "";
-      return name + ": fiber " + std::to_string(short_ones[0]) +
-             " (counted from 0)" +
-             (short_ones.size() == 1
-                ? " ends"
-                : " and " + std::to_string(short_ones.size() - 1) +
-                    " others end") +
-             " more than a tenth of the yarn's length from its end, but counts "
-             "as whole: crimp and volume fraction are wrong, and a load grips "
-             "it in the middle of the fabric; trace it to the end, or leave it "
-             "out";
     }
 
 
@@ -137,26 +96,15 @@ namespace Heddle
       std::array<double, 2> result;
       for (unsigned int d = 0; d < 2; ++d)
         {
-          unsigned int n_columns = 1;
-          double       first = yarns_of[d].front().first, last = first;
-          for (unsigned int i = 1; i < yarns_of[d].size(); ++i)
-            {
-              const auto  &yarn = yarns_of[d][i], &before = yarns_of[d][i - 1];
-              const double mean_width = 0.5 * (before.second + yarn.second);
-              if (yarn.first - before.first > stacked * mean_width)
-                {
-                  ++n_columns;
-                  last = yarn.first;
-                }
-            }
-          require(n_columns > 1,
+          const Columns columns = columns_of(yarns_of[d]);
+          require(columns.n > 1,
                   name + ": there is " +
                     (yarns_of[d].size() == 1 ? "a single yarn"
                                              : "a single stack of yarns") +
                     " of the " + sets[d] +
                     ", so that the width of the fabric is not known; give "
                     "two or more, or load it as 'centerlines' by supports.");
-          result[d] = n_columns * (last - first) / (n_columns - 1);
+          result[d] = columns.n * columns.spacing();
         }
       return result;
     }

@@ -4,6 +4,7 @@
 #include <heddle/textile/csv_table.h>
 #include <heddle/textile/parametric_curve.h>
 #include <heddle/textile/path_reader.h>
+#include <heddle/textile/point_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -258,6 +259,17 @@ namespace Heddle
                            ": fiber '" + fiber.name +
                            "' has only one point; give at least two.");
 
+        const PointOrder order = order_of(fiber.points);
+        if (order.is_lost())
+          throw InputError(
+            name + ":" + std::to_string(fiber.first_line) + ": fiber '" +
+            fiber.name + "' turns back at " + std::to_string(order.n_turns) +
+            " of its " + std::to_string(fiber.points.size()) +
+            " points and is " + number_text(order.excess, 2) +
+            " times as long as the way from each to the nearest one; give "
+            "them in their order along the fiber, and not closer to each "
+            "other than they are exact.");
+
         const InterpolatedCurve curve(fiber.points, reading.interpolation);
         const unsigned int      n_samples = 64 * (fiber.points.size() - 1);
         const double            length =
@@ -288,6 +300,7 @@ namespace Heddle
         path.points = knots.points;
         path.missed =
           largest_miss(fiber.points, knots.points, reading.interpolation);
+        path.n_turns          = order.n_turns;
         path.reference_length = knots.length / (1. + reading.axial_strain);
         path.radius           = fiber.sum_of_radii / fiber.points.size();
         path.set              = fiber.set;

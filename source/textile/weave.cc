@@ -189,6 +189,7 @@ namespace Heddle
               path.reference_length = knots.length;
               path.radius           = yarns.packing.radius;
               path.filament_radius  = yarns.packing.filament_radius;
+              path.density          = yarns.density;
               path.yarn_id =
                 direction == warp ? i : description.warp.n_yarns + i;
               path.bundle_id = f / yarns.packing.fibers_per_bundle;

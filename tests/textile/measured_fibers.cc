@@ -2,6 +2,7 @@
 // read, the fabric that they make, and what is refused in one sentence.
 #include <heddle/base/exceptions.h>
 #include <heddle/textile/interpolation.h>
+#include <heddle/textile/lost_fibers.h>
 #include <heddle/textile/measured_fabric.h>
 #include <heddle/textile/path_reader.h>
 
@@ -125,6 +126,21 @@ reading()
 
 
 
+/** The same points, as spreadsheets of all kinds write them. */
+void
+dialects()
+{
+  PathReading settings;
+  settings.element_length = 1.;
+  settings.radius         = 0.1;
+  read("fiber;x;y;z;set\r\na;0;0;0;warp\r\na;2;0;0;warp\r\n", settings);
+  read("fiber\tx\ty\tz\tset\na\t0\t0\t0\t\na\t2\t0\t0\t\n", settings);
+  read("fiber,x,y,z\ra,0,0,0\ra,2,0,0\r", settings);
+  read("\"fiber\",\"x\",\"y\",\"z\"\n\"a\",0,0,0\n\"a\",2,0,0", settings);
+}
+
+
+
 void
 refuse_file(const std::string &text,
             const double       radius         = 0.1,
@@ -157,6 +173,12 @@ no_files_of_fibers()
   refuse_file("");
   refuse_file("# nothing but a comment\n");
   refuse_file(head);
+  refuse_file("fiber x y z\n1 0 0 0\n1 1 0 0\n");
+  refuse_file("fiber;x;y;z\n1;0;0;0\n1;1,5;0;0\n");
+  refuse_file(head + "1;0;0;0\n1;1;0;0\n");
+  refuse_file(std::string("\xff\xfe"
+                          "f\0i\0b\0",
+                          8));
   refuse_file("fiber,x,z\n1,0,0\n");
   refuse_file("fiber,x,x,y,z\n");
   refuse_file("fiber,x,y,z,colour\n");
@@ -186,6 +208,47 @@ no_files_of_fibers()
   catch (const Heddle::InputError &error)
     {
       deallog << error.what() << std::endl;
+    }
+}
+
+
+
+/** A wave of @p n points, in an order that @p step times their number is. */
+std::string
+shuffled(const unsigned int n, const unsigned int step)
+{
+  std::ostringstream text;
+  text << "fiber,x,y,z\n";
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const double t = (i * step) % n;
+      text << "f1," << 0.3 * t << ',' << std::sin(0.3 * t) << ",0\n";
+    }
+  return text.str();
+}
+
+
+
+/** Points that are not in their order along a fiber are told. */
+void
+orders()
+{
+  refuse_file(shuffled(40, 1));
+  refuse_file(shuffled(40, 39));
+  refuse_file(shuffled(41, 7));
+  refuse_file(shuffled(41, 17));
+  refuse_file(shuffled(7, 3));
+
+  // A loop that closes, and a fiber of which two points are exchanged.
+  for (const std::string more :
+       {"1,1,1,0\n1,0,1,0\n1,0,0,0\n", "1,3,0,0\n1,2,0,0\n1,4,0,0\n"})
+    {
+      PathReading reading;
+      reading.element_length = 1.;
+      reading.radius         = 0.1;
+      std::istringstream input("fiber,x,y,z\n1,0,0,0\n1,1,0,0\n" + more);
+      deallog << read_paths(input, "fibers.csv", reading)[0].n_turns << " turns"
+              << std::endl;
     }
 }
 
@@ -254,11 +317,15 @@ fabrics()
           << fabric.width()[1] << std::endl;
 
   // Lost while it was traced.
-  deallog << "short: \"" << fabric.short_fibers() << '"' << std::endl;
+  deallog << "short: \"" << lost_fibers(paths, "fibers.csv") << '"'
+          << std::endl;
   paths[2].points.pop_back();
-  deallog << MeasuredFabric(paths, "fibers.csv").short_fibers() << std::endl;
-  paths[0].points.erase(paths[0].points.begin());
-  deallog << MeasuredFabric(paths, "fibers.csv").short_fibers() << std::endl;
+  deallog << lost_fibers(paths, "fibers.csv") << std::endl;
+  paths.push_back(paths[0]);
+  paths.push_back(paths[0]);
+  paths.back().points.erase(paths.back().points.begin());
+  deallog << lost_fibers(paths, "fibers.csv") << std::endl;
+  paths.resize(6);
 
   refuse_fabric({fiber("warp", 0, 1.), fiber("warp", no_id, 2.)});
   refuse_fabric({fiber("warp", 0, 1.), fiber("pile", 1, 2.)});
@@ -295,6 +362,8 @@ main()
   initlog();
   run_part("Interpolation", interpolations);
   run_part("Reading", reading);
+  run_part("Dialects", dialects);
+  run_part("Order of points", orders);
   run_part("What is no file of fibers", no_files_of_fibers);
   run_part("Measured fabrics", fabrics);
 }

@@ -46,6 +46,15 @@ namespace Heddle
   mean_line(const std::vector<Polyline> &fibers, const unsigned int n_points);
 
   /**
+   * Numbers of the fibers of a yarn that end before the yarn does, by more than
+   * a tenth of its length, such as those that were lost while they were traced.
+   * A yarn reaches as far as a quarter of its fibers do. One that ends near
+   * where it begins has none.
+   */
+  std::vector<unsigned int>
+  short_fibers(const std::vector<Polyline> &fibers);
+
+  /**
    * The plane normal to the mean line at @p fraction of its length, 0 to 1.
    */
   CuttingPlane

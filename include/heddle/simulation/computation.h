@@ -79,6 +79,10 @@ namespace Heddle
       void
       show_status(const Stage &stage, const double load_factor);
 
+      /** Say whether fibers take more than there is of a yarn. */
+      void
+      tell_overfull_yarns() const;
+
       /** What is to be said of a fiber that is bent too sharply, or nothing. */
       std::string
       kink_in_words() const;

@@ -2,6 +2,7 @@
 #define heddle_simulation_fabric_report_h
 
 #include <heddle/post/crossing_order.h>
+#include <heddle/post/fabric_window.h>
 #include <heddle/simulation/scene.h>
 
 #include <map>
@@ -40,9 +41,25 @@ namespace Heddle
       std::string
       yarns_csv(const unsigned int n_stations) const;
 
-      /** Means over the yarns of each set by name with unit. */
+      /**
+       * Means over the yarns of each set, and what a data sheet says of the
+       * fabric, by name with unit. @p densities are those of all fibers when
+       * they are free; 0: not known [g/cm^3].
+       */
       std::map<std::string, double>
-      results(const unsigned int n_stations) const;
+      results(const unsigned int         n_stations,
+              const std::vector<double> &densities) const;
+
+      /** How the fibers of yarns run, one line for each class of angles. */
+      std::string
+      orientation_csv() const;
+
+      /**
+       * A sentence about yarns, or a fabric, of which fibers take more than
+       * there is; empty if there are none.
+       */
+      std::string
+      overfull(const unsigned int n_stations) const;
 
     private:
       struct Yarn
@@ -53,12 +70,14 @@ namespace Heddle
         std::vector<double>       radii;
       };
 
-      /** Extent of the fabric through its thickness [mm]. */
-      double
-      thickness() const;
+      /** The yarns with their mean lines and, of known @p densities, those of
+       * the fibers as they are, stretched. */
+      std::vector<Post::YarnBody>
+      bodies(const std::vector<double> &densities) const;
 
-      std::vector<Polyline> lines;
-      std::vector<Yarn>     yarns;
+      const System::FiberSpace &space;
+      std::vector<Polyline>     lines;
+      std::vector<Yarn>         yarns;
     };
   } // namespace Simulation
 } // namespace Heddle

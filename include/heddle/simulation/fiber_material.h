@@ -40,6 +40,7 @@ namespace Heddle
       double torsional_stiffness = 0.;
       double shear_stiffness     = 0.;
       double section_stiffness   = 0.;
+      double density             = 0.; /**< 0: not known [g/cm^3] */
     };
 
     /** A material of some fibers, in place of that of all others. */

@@ -21,6 +21,15 @@ namespace Heddle
                const MPI_Comm                         communicator);
 
     /**
+     * Densities of the fibers [g/cm^3], of their yarns or of their materials;
+     * 0: not known. Throws InputError if both are given and differ.
+     */
+    std::vector<double>
+    densities_of(const System::FiberSpace              &space,
+                 const std::vector<Textile::FiberPath> &paths,
+                 const FiberParameters                 &parameters);
+
+    /**
      * Blocks of one fiber whose nodes are @p points: tangents from the parabola
      * through neighbouring points, sections normal to the axis, unstrained, and
      * carried along it without twist.

@@ -127,6 +127,14 @@ namespace Heddle
         return balance;
       }
 
+      /** Of yarns that were measured last, and are more than full of fibers, on
+       * rank 0; empty if there are none. */
+      const std::string &
+      overfull_yarns() const
+      {
+        return overfull;
+      }
+
       /** Write how it ended. */
       void
       finish(const IO::Status status, const std::string &reason);
@@ -176,7 +184,8 @@ namespace Heddle
       void
       count_crossings(IO::StageSummary &stage) const;
 
-      /** The sections of the yarns, if they are asked for. @note Collective. */
+      /** Sections of the yarns and what a data sheet says of the fabric, if
+       * they are asked for. @note Collective. */
       void
       measure_yarns();
 
@@ -211,6 +220,7 @@ namespace Heddle
       IO::History          history;
       IO::Checkpoint       checkpoint;
       EnergyBalance        balance;
+      std::string          overfull;
       std::unique_ptr<IO::FiberOutput>   fibers;
       std::unique_ptr<IO::ContactOutput> contacts;
       std::unique_ptr<IO::MatrixOutput>  matrix;

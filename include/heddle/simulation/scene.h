@@ -154,6 +154,18 @@ namespace Heddle
       std::string
       missed_points() const;
 
+      /** Which fibers of a file turn back at some of their points, which may
+       * not be in order; nothing if there are none. */
+      std::string
+      turned_back() const;
+
+      /** Of all fibers when they are free; 0: not known [g/cm^3]. */
+      const std::vector<double> &
+      densities() const
+      {
+        return fiber_densities;
+      }
+
       /** What is to be said of a fabric as it is described. */
       std::vector<std::string>
       notes() const;
@@ -271,6 +283,7 @@ namespace Heddle
       std::unique_ptr<Textile::MeasuredFabric>        measured;
       std::vector<Textile::FiberPath>                 paths;
       std::unique_ptr<System::FiberSpace>             fiber_space;
+      std::vector<double>                             fiber_densities;
       std::vector<Tensor<1, 3>>                       initial_blocks;
       std::unique_ptr<System::State>                  configuration;
       std::shared_ptr<Contributions::FiberElasticity> fiber_elasticity;

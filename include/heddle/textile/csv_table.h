@@ -12,7 +12,10 @@ namespace Heddle
     /**
      * A table of comma-separated values, read line by line. The first line that
      * is neither blank nor a comment (from `#` to the end of the line) names
-     * the columns, in any order. Every error names the file and the line.
+     * the columns, in any order. Where it has no comma, semicolons or tabs
+     * separate the values, as spreadsheets write them. Values may stand in
+     * double quotes, and lines end as on any system. Every error names the file
+     * and the line.
      */
     class CsvTable
     {
@@ -58,12 +61,23 @@ namespace Heddle
       bool
       read_line();
 
+      /** The next line, whether it ends as on Unix, Windows or old Macs; false
+       * at the end. */
+      bool
+      take_line(std::string &line);
+
+      /** Refuse columns that are missing, twice, or of no meaning. */
+      void
+      check_header(const std::vector<std::string> &required,
+                   const std::vector<std::string> &optional) const;
+
       unsigned int
       position(const std::string &column) const;
 
       std::istream            &input;
       const std::string        name;
       unsigned int             line_number = 0;
+      char                     separator   = 0; /**< 0: not known yet */
       std::vector<std::string> header;
       std::vector<std::string> values;
     };

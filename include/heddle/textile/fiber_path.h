@@ -39,11 +39,18 @@ namespace Heddle
        */
       double missed = 0.;
 
+      /** Points that it was read from at which it turns by more than 90
+       * degrees. */
+      unsigned int n_turns = 0;
+
       /** Radius of the circular section [mm]. */
       double radius = 0.;
 
       /** Of the filaments for which it stands [mm]; 0: it is one itself. */
       double filament_radius = 0.;
+
+      /** Density [g/cm^3]; 0: not known, or to be had from its material. */
+      double density = 0.;
 
       /** Number of the yarn; in a weave warp yarns come before weft yarns. */
       unsigned int yarn_id = no_id;

@@ -1,11 +1,11 @@
 #ifndef heddle_textile_measured_fabric_h
 #define heddle_textile_measured_fabric_h
 
+#include <heddle/base/columns.h>
 #include <heddle/textile/fiber_path.h>
 
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Heddle
@@ -41,22 +41,11 @@ namespace Heddle
       std::array<double, 2>
       width() const;
 
-      /**
-       * A sentence about fibers that end far from the ends of their yarn, such
-       * as those that were lost while they were traced; empty if none does.
-       */
-      std::string
-      short_fibers() const;
-
     private:
       const std::string name;
 
-      /** Numbers of fibers that end far from the ends of their yarn. */
-      std::vector<unsigned int> short_ones;
-
-      /** Where the middles of the yarns lie across them, in order, and how wide
-       * the yarns are there [mm]. */
-      std::array<std::vector<std::pair<double, double>>, 2> yarns_of;
+      /** Where the middles of the yarns lie across them. */
+      std::array<std::vector<YarnPlace>, 2> yarns_of;
     };
   } // namespace Textile
 } // namespace Heddle

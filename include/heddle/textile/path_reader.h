@@ -42,7 +42,7 @@ namespace Heddle
 
 
     /**
-     * Read fibers from comma-separated values: a header that names the columns
+     * Read fibers from a CsvTable: a header that names the columns
      * in any order, `fiber,x,y,z[,radius][,set][,yarn]`, then one line per
      * point, the points of a fiber in their order along it. Fibers are told
      * apart by the word in column `fiber` and numbered in the order in which
