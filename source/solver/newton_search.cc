@@ -58,11 +58,6 @@ namespace Heddle
 
       /** Of motions that count as free, over what holds back entirely [-]. */
       constexpr double least_stiffness = 1e-12;
-
-      const std::string not_arrived =
-        "supports do not get to where they are to be: contact, or elements of "
-        "fibers or cells of the matrix that would turn inside out, allow short "
-        "steps only";
     } // namespace
 
 

@@ -83,6 +83,12 @@ namespace Heddle
       run(const System::Increment &guess);
 
     private:
+      /** What keeps a search from its end. */
+      static constexpr const char *not_arrived =
+        "supports do not get to where they are to be: contact, or elements of "
+        "fibers or cells of the matrix that would turn inside out, allow short "
+        "steps only";
+
       /** Whether the search goes on, and from where. */
       enum class Verdict
       {
