@@ -52,6 +52,8 @@ namespace Heddle
           json["active_contact_elements"] = stage.active_contact_elements;
           json["n_dofs_per_rank"]         = stage.n_dofs_per_rank;
           json["max_penetration_ratio"]   = stage.max_penetration_ratio;
+          json["max_indentation_ratio"]   = stage.max_indentation_ratio;
+          json["indentation_work_ratio"]  = stage.indentation_work_ratio;
           json["max_bend_ratio"]          = stage.max_bend_ratio;
           json["crossings_total"]         = stage.crossings_total;
           json["crossings_wrong"]         = stage.crossings_wrong;

@@ -257,6 +257,12 @@ namespace Heddle
       const std::string kink = kink_in_words();
       if (!kink.empty())
         log << "Note           " << kink << std::endl;
+      // Where only calm is asked for forces are what they happen to be.
+      const std::string indentation = recorder.deepest_indentation().in_words();
+      if (!indentation.empty() && !stage.solve &&
+          stage.aim != Solver::Aim::calm)
+        log << "Note           of stage " << stage.name << ", " << indentation
+            << std::endl;
       if (!stage.is_loaded)
         return;
       const std::string lost = scene.lost_crossings();

@@ -34,6 +34,8 @@ namespace Heddle
         convert("crossings_wrong", stage.crossings_wrong);
         convert("crossings_apart", stage.crossings_apart);
         convert("max_penetration_ratio", stage.max_penetration_ratio);
+        convert("max_indentation_ratio", stage.max_indentation_ratio);
+        convert("indentation_work_ratio", stage.indentation_work_ratio);
         convert("max_bend_ratio", stage.max_bend_ratio);
         convert("residual_ratio", stage.residual_ratio);
         convert("last_output", stage.last_output);
@@ -100,6 +102,7 @@ namespace Heddle
         stepping[place.stage]->load(archive);
         place.predictor.load(archive, scene.state());
         balance.load(archive);
+        deepest.load(archive, "deepest indentation");
         for (const auto &contribution : stages[place.stage].contributions)
           contribution->load(archive, scene.state());
       };
@@ -194,6 +197,7 @@ namespace Heddle
       place.stepping->save(archive);
       place.predictor.save(archive, scene.state());
       balance.save(archive);
+      deepest.save(archive, "deepest indentation");
       for (const auto &contribution : scene.stages()[place.stage].contributions)
         contribution->save(archive, scene.state());
       // The first rank alone knows of them.

@@ -44,6 +44,16 @@ namespace Heddle
       /** Largest penetration over fiber radius [-]. */
       double max_penetration_ratio = std::numeric_limits<double>::quiet_NaN();
 
+      /**
+       * How far elastic fibers would be in each other under the force of a
+       * contact, largest of all steps, over the radius [-], ...
+       */
+      double max_indentation_ratio = std::numeric_limits<double>::quiet_NaN();
+
+      /** ... and in that step the work that would take over what energy there
+       * is, twice [-]. */
+      double indentation_work_ratio = std::numeric_limits<double>::quiet_NaN();
+
       /** Largest radius of a fiber over that of a bend of its axis [-]. */
       double max_bend_ratio = std::numeric_limits<double>::quiet_NaN();
 

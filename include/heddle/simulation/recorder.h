@@ -127,6 +127,13 @@ namespace Heddle
         return balance;
       }
 
+      /** The deepest one of the stage, over its steps. */
+      const Contributions::Indentation &
+      deepest_indentation() const
+      {
+        return deepest;
+      }
+
       /** Write how it ended. */
       void
       finish(const IO::Summary::Status status, const std::string &reason);
@@ -207,6 +214,8 @@ namespace Heddle
       IO::History          history;
       IO::Checkpoint       checkpoint;
       EnergyBalance        balance;
+
+      Contributions::Indentation         deepest;
       std::unique_ptr<IO::FiberOutput>   fibers;
       std::unique_ptr<IO::ContactOutput> contacts;
       std::unique_ptr<IO::MatrixOutput>  matrix;
