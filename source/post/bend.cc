@@ -73,8 +73,9 @@ namespace Heddle
     bool
     BentContact::is_tight() const
     {
-      constexpr double much = 0.75;
-      return taken > much;
+      // A thin fiber around a thick drum takes half, however gently it is bent.
+      constexpr double much = 0.75, sharp = 1. / 3.;
+      return taken > much && bend.ratio > sharp;
     }
 
 

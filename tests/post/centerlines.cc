@@ -231,6 +231,9 @@ bent_contacts()
           deallog << ", fiber " << found.bend.fiber << " at " << found.other;
         deallog << std::endl;
       }
+  deallog << "as near, but bent gently: "
+          << Post::BentContact{0.9, {0.1, 0, Point<3>()}, 1}.is_tight()
+          << std::endl;
 }
 
 

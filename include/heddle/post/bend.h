@@ -60,8 +60,9 @@ namespace Heddle
       unsigned int other = 0;  /**< the fiber that it touches */
 
       /**
-       * So near to that point that forces may jump: hairpins of radius R at a
-       * right angle, bent to 2.7 R. They find no equilibrium from 2.1 R on.
+       * So near to that point that forces may jump, and bent to less than three
+       * times the radius: hairpins at a right angle, bent to 2.7 R. They find
+       * no equilibrium from 2.1 R on.
        */
       bool
       is_tight() const;
