@@ -540,8 +540,10 @@ namespace Heddle
     {
       hardening += energy_of_hardening();
       cells.accept();
-      accepted_cells     = cells.cells();
-      accepted_active    = statistics.n_active;
+      accepted_cells  = cells.cells();
+      accepted_active = statistics.n_active;
+      indented =
+        find_indentation(space, fibers.curves(), contact_elements, threshold);
       largest_mean_force = std::max(largest_mean_force, statistics.mean_force);
     }
 

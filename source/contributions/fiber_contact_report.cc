@@ -115,6 +115,7 @@ namespace Heddle
       values["active_contact_elements[-]"] = statistics.n_active;
       values["mean_contact_force[N]"]      = statistics.mean_force;
       values["max_penetration_ratio[-]"]   = statistics.deepest;
+      values["max_indentation_ratio[-]"]   = indented.ratio;
       values["min_penalty[N/mm^2]"]        = statistics.least_penalty;
       values["max_penalty[N/mm^2]"]        = statistics.largest_penalty;
       values["contact_energy[N*mm]"]       = statistics.energy;

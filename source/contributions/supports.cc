@@ -6,6 +6,7 @@
 
 #include <deal.II/physics/transformations.h>
 
+#include <algorithm>
 
 namespace Heddle
 {
@@ -115,6 +116,29 @@ namespace Heddle
           where[d] += motions[held.holder[d]].displacement[d]->value(
             held.position, load_factor);
       return where;
+    }
+
+
+
+    std::optional<Tensor<1, 3>>
+    Supports::prescribed_position(const unsigned int f,
+                                  const unsigned int node,
+                                  const double       load_factor) const
+    {
+      const auto key = std::make_pair(f, node * space.n_blocks_per_node());
+      const auto found =
+        std::lower_bound(blocks.begin(),
+                         blocks.end(),
+                         key,
+                         [](const auto &held, const auto &of) {
+                           return std::make_pair(held.fiber, held.block) < of;
+                         });
+      if (found == blocks.end() ||
+          std::make_pair(found->fiber, found->block) != key ||
+          std::count(
+            found->holder.begin(), found->holder.end(), HeldBlock::nobody) > 0)
+        return {};
+      return target(*found, load_factor);
     }
 
 

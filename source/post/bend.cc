@@ -67,5 +67,68 @@ namespace Heddle
       return Utilities::MPI::broadcast(
         space.communicator(), bend, sharpest.max_index);
     }
+
+
+
+    bool
+    BentContact::is_tight() const
+    {
+      // A thin fiber around a thick drum takes half, however gently it is bent.
+      constexpr double much = 0.75, sharp = 1. / 3.;
+      return taken > much && bend.ratio > sharp;
+    }
+
+
+
+    std::string
+    BentContact::in_words() const
+    {
+      return bend.in_words() + ", where it touches fiber " +
+             std::to_string(other);
+    }
+
+
+
+    BentContact
+    tightest_contact(const System::FiberSpace                   &space,
+                     const Contact::CurveList                   &curves,
+                     const std::vector<Contact::ContactElement> &elements)
+    {
+      BentContact tightest;
+      const auto  particle = [&](const unsigned int f, const double s) {
+        unsigned int interval = curves[f].interval(s);
+        return curves[f].evaluate(s, interval);
+      };
+      const auto bend = [&](const unsigned int         f,
+                            const Contact::CurvePoint &at) {
+        const double ratio = space.fiber(f).radius *
+                             cross_product_3d(at.tangent, at.curvature).norm() /
+                             std::pow(at.tangent.norm(), 3);
+        return Bend{ratio, f, Point<3>(at.position)};
+      };
+      for (const Contact::ContactElement &element : elements)
+        if (element.force > 0. && space.owns(element.fiber_a))
+          {
+            const auto a = particle(element.fiber_a, element.s_a),
+                       b = particle(element.fiber_b, element.s_b);
+            const Tensor<1, 3> sum =
+              a.tangent + static_cast<double>(element.orientation) * b.tangent;
+            const double taken = (a.position - b.position) *
+                                 (b.curvature - a.curvature) /
+                                 sum.norm_square();
+            if (taken > tightest.taken)
+              {
+                const Bend of_a = bend(element.fiber_a, a),
+                           of_b = bend(element.fiber_b, b);
+                tightest        = of_a.ratio >= of_b.ratio
+                                    ? BentContact{taken, of_a, element.fiber_b}
+                                    : BentContact{taken, of_b, element.fiber_a};
+              }
+          }
+      const auto worst =
+        Utilities::MPI::min_max_avg(tightest.taken, space.communicator());
+      return Utilities::MPI::broadcast(
+        space.communicator(), tightest, worst.max_index);
+    }
   } // namespace Post
 } // namespace Heddle

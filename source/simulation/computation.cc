@@ -256,10 +256,17 @@ namespace Heddle
       const std::string objection = stage.objection();
       if (!objection.empty())
         throw NotConverged("Stage " + stage.name + ": " + objection + ".");
-      const std::string kink = kink_in_words();
-      if (!kink.empty())
-        log << "Note           " << kink << std::endl;
       tell_overfull_yarns();
+      const std::string bend = bend_in_words();
+      if (!bend.empty() && !bend_is_told)
+        log << "Note           " << bend << std::endl;
+      bend_is_told = bend_is_told || !bend.empty();
+      // Where only calm is asked for forces are what they happen to be.
+      const std::string indentation = recorder.deepest_indentation().in_words();
+      if (!indentation.empty() && !stage.solve &&
+          stage.aim != Solver::Aim::calm)
+        log << "Note           of stage " << stage.name << ", " << indentation
+            << std::endl;
       if (!stage.is_loaded)
         return;
       const std::string lost = scene.lost_crossings();
@@ -297,7 +304,7 @@ namespace Heddle
       const std::string where = place_in_words();
       const std::string jam =
         scene.contact() ? scene.contact()->jam_in_words() : "";
-      const std::string hint = jam.empty() ? kink_in_words() : jam;
+      const std::string hint = jam.empty() ? bend_in_words() : jam;
       const std::string why =
         result.obstacle + (hint.empty() ? "" : "; " + hint);
       reject(stage);
@@ -463,17 +470,27 @@ namespace Heddle
 
 
     std::string
-    Computation::kink_in_words() const
+    Computation::bend_in_words() const
     {
+      const std::string advice =
+        ": thinner fibers are bent less, and those of a larger Fiber/Shear "
+        "stiffness or Fiber/Bending stiffness";
       const Post::Bend bend = Post::sharpest_bend(scene.state());
-      if (!bend.is_a_kink())
+      if (bend.is_a_kink())
+        return bend.in_words() + ", where it is no beam" +
+               (parameters.contact.enabled ? " and its contacts are not unique"
+                                           : "") +
+               advice;
+      if (!scene.contact())
         return "";
-      return bend.in_words() + ", where it is no beam" +
-             (parameters.contact.enabled ? " and its contacts are not unique"
-                                         : "") +
-             ": thinner fibers are bent less, and those of a larger "
-             "Fiber/Shear "
-             "stiffness or Fiber/Bending stiffness";
+      const Post::BentContact contact = Post::tightest_contact(
+        scene.space(), scene.contact()->curves(), scene.contact()->elements());
+      if (!contact.is_tight())
+        return "";
+      return contact.in_words() +
+             ": bent so sharply around each other, other particles face each "
+             "other after little motion, and forces may jump" +
+             advice;
     }
 
 

@@ -19,27 +19,44 @@ namespace Heddle
 
       const char *const external_work = "external_work[N*mm]";
 
+      bool
+      is_energy(const std::string &name)
+      {
+        const std::string end = "_energy[N*mm]";
+        return name.size() > end.size() &&
+               name.compare(name.size() - end.size(), end.size(), end) == 0;
+      }
+
+
+
       /** Stored and dissipated, less what growing penalties brought [N mm]. */
       double
       energy_in(const EnergyBalance::Report &report)
       {
-        const std::string unit = "_energy[N*mm]";
-        double            sum  = 0.;
+        double sum = 0.;
         for (const auto &entry : report)
           {
             const std::string &name = entry.first;
             if (name == "contact_hardening[N*mm]")
               sum -= entry.second;
             else if (name == "friction_stored[N*mm]" ||
-                     name == "friction_dissipated[N*mm]" ||
-                     (name.size() > unit.size() &&
-                      name.compare(
-                        name.size() - unit.size(), unit.size(), unit) == 0))
+                     name == "friction_dissipated[N*mm]" || is_energy(name))
               sum += entry.second;
           }
         return sum;
       }
     } // namespace
+
+
+
+    double
+    EnergyBalance::elastic_energy(const Report &report)
+    {
+      double sum = 0.;
+      for (const auto &entry : report)
+        sum += is_energy(entry.first) ? entry.second : 0.;
+      return sum;
+    }
 
 
 

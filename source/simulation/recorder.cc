@@ -199,6 +199,7 @@ namespace Heddle
     {
       if (stage == summary.stages.size())
         {
+          deepest = {};
           summary.stages.emplace_back();
           summary.stages.back().name = scene.stages()[stage].name;
           if (!parameters.run.timing)
@@ -297,6 +298,13 @@ namespace Heddle
           stage.contact_elements        = values["contact_elements[-]"];
           stage.active_contact_elements = values["active_contact_elements[-]"];
           stage.max_penetration_ratio   = values["max_penetration_ratio[-]"];
+          if (scene.contact()->indentation().ratio >= deepest.ratio)
+            {
+              deepest        = scene.contact()->indentation();
+              deepest.energy = EnergyBalance::elastic_energy(values);
+            }
+          stage.max_indentation_ratio  = deepest.ratio;
+          stage.indentation_work_ratio = deepest.work_ratio();
         }
       stage.max_bend_ratio = values["max_bend_ratio[-]"];
       if (scene.weave())

@@ -143,6 +143,7 @@ namespace Heddle
         stepping[place.stage]->load(archive);
         place.predictor.load(archive, scene.state());
         balance.load(archive);
+        deepest.load(archive, "deepest indentation");
         for (const auto &contribution : stages[place.stage].contributions)
           contribution->load(archive, scene.state());
       };
@@ -237,6 +238,7 @@ namespace Heddle
       place.stepping->save(archive);
       place.predictor.save(archive, scene.state());
       balance.save(archive);
+      deepest.save(archive, "deepest indentation");
       for (const auto &contribution : scene.stages()[place.stage].contributions)
         contribution->save(archive, scene.state());
       // The first rank alone knows of them.

@@ -202,8 +202,7 @@ namespace Heddle
             log << comma << name;
             comma = ", ";
           }
-        const std::string overlap = scene.overlap_at_start();
-        if (!overlap.empty())
+        for (const std::string &overlap : scene.overlaps_at_start())
           log << "\nNote           " << overlap;
         if (parameters.matrix.enabled &&
             parameters.matrix.material.law == Solid::MaterialLaw::linear &&

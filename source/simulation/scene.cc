@@ -3,7 +3,6 @@
 #include <heddle/contributions/crossing_enforcement.h>
 #include <heddle/contributions/loads.h>
 #include <heddle/contributions/section_damping.h>
-#include <heddle/contributions/supports.h>
 #include <heddle/post/bend.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/matrix.h>
@@ -54,9 +53,11 @@ namespace Heddle
       if (parameters.fabric_loading.is_active())
         add_load_cases();
       else if (!parameters.supports.empty())
-        add_load_stage("load",
-                       std::make_shared<Contributions::Supports>(
-                         *fiber_space, initial_blocks, parameters.supports));
+        {
+          supports = std::make_shared<Contributions::Supports>(
+            *fiber_space, initial_blocks, parameters.supports);
+          add_load_stage("load", supports);
+        }
     }
 
 

@@ -3,6 +3,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/post/bend.h>
 #include <heddle/simulation/fabric_report.h>
+#include <heddle/simulation/held_overlap.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/textile/lost_fibers.h>
@@ -96,33 +97,52 @@ namespace Heddle
 
 
 
+    std::unique_ptr<Contributions::FiberContact>
+    Scene::contact_at_start(System::State &start) const
+    {
+      start.set(initial_blocks);
+      start.accept();
+      auto contact = std::make_unique<Contributions::FiberContact>(
+        *fiber_space, parameters.contact);
+      contact->update(start);
+      return contact;
+    }
+
+
+
     std::string
     Scene::deepest_overlap(const double allowed) const
     {
       if (woven || !fiber_contact)
         return "";
       System::State start(*fiber_space);
-      start.set(initial_blocks);
-      start.accept();
-      Contributions::FiberContact contact(*fiber_space, parameters.contact);
-      contact.set_threshold(allowed);
-      contact.update(start);
-      return contact.objection(start);
+      const auto    contact = contact_at_start(start);
+      contact->set_threshold(allowed);
+      return contact->objection(start);
     }
 
 
 
-    std::string
-    Scene::overlap_at_start() const
+    std::vector<std::string>
+    Scene::overlaps_at_start() const
     {
-      if (!crumbled_fiber().empty())
-        return "";
-      constexpr double  much    = 0.5;
-      const std::string deepest = deepest_overlap(much);
-      return deepest.empty() ? ""
-                             : "at the start there is a " + deepest +
-                                 ", which contact has to undo; move fibers "
-                                 "apart if it finds no equilibrium";
+      if (woven || !fiber_contact || !crumbled_fiber().empty())
+        return {};
+      constexpr double         much = 0.5;
+      System::State            start(*fiber_space);
+      const auto               contact = contact_at_start(start);
+      std::vector<std::string> notes;
+      if (supports && !is_fabric() && !contact->objection(start).empty())
+        notes.push_back(held_overlap(
+          *fiber_space, *contact, *supports, parameters.contact.threshold));
+      contact->set_threshold(much);
+      const std::string deepest = contact->objection(start);
+      if (!deepest.empty())
+        notes.push_back("at the start there is a " + deepest +
+                        ", which contact has to undo; move fibers apart if it "
+                        "finds no equilibrium");
+      notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
+      return notes;
     }
 
 

@@ -1,6 +1,7 @@
 // What is told of the centerlines of fibers is the same on any number of ranks:
-// their points, their sharpest bend, and their table.
+// their points, their sharpest bend, that at a contact, and their table.
 #include <heddle/base/choice.h>
+#include <heddle/contributions/fiber_contact.h>
 #include <heddle/post/bend.h>
 #include <heddle/post/centerline.h>
 #include <heddle/simulation/fiber_placement.h>
@@ -173,6 +174,71 @@ bends()
 
 
 
+/** Half a circle about the origin, opened downwards, in a plane with x. */
+Textile::FiberPath
+half_circle(const double       radius,
+            const unsigned int across,
+            const double       side,
+            const double       top)
+{
+  constexpr unsigned int n_elements = 32;
+  Textile::FiberPath     path;
+  for (unsigned int i = 0; i <= n_elements; ++i)
+    {
+      const double angle = numbers::PI * i / n_elements;
+      Tensor<1, 3> point;
+      point[0]      = top + side * radius * (std::sin(angle) - 1.);
+      point[across] = radius * std::cos(angle);
+      path.points.push_back(point);
+    }
+  path.reference_length = numbers::PI * radius;
+  path.radius           = 0.1;
+  return path;
+}
+
+
+
+/**
+ * Two halves of circles that hang in each other at a right angle, their tops
+ * 0.199 apart: what their bends take of the derivative that makes particles
+ * unique is that over the radius of the circles. With one of them straight it
+ * is half of that, and the one that is bent is named.
+ */
+void
+bent_contacts()
+{
+  Simulation::FiberParameters parameters("/Fiber around");
+  parameters.element_name       = "hermite";
+  parameters.elements_per_fiber = 32;
+  const Contact::ContactParameters contact_parameters("/Contact around");
+  for (const double radius : {0.5, 0.3, 0.25, 0.205})
+    for (const double other : {radius, 100.})
+      {
+        PlacedFibers                fibers({half_circle(radius, 1, 1., 0.0995),
+                                            half_circle(other, 2, -1., -0.0995)},
+                            parameters);
+        Contributions::FiberContact contact(*fibers.space, contact_parameters);
+        contact.update(fibers.state);
+        const Post::BentContact found = Post::tightest_contact(
+          *fibers.space, contact.curves(), contact.elements());
+        deallog << "radii " << radius << " and " << other
+                << std::setprecision(2) << ": taken over what is expected "
+                << found.taken / (0.0995 / radius + 0.0995 / other)
+                << ", bend over that of the circle "
+                << found.bend.ratio * radius / 0.1
+                << ", tight: " << found.is_tight() << std::setprecision(6);
+        // Which one of two that are alike is named is a matter of round-off.
+        if (other > radius)
+          deallog << ", fiber " << found.bend.fiber << " at " << found.other;
+        deallog << std::endl;
+      }
+  deallog << "as near, but bent gently: "
+          << Post::BentContact{0.9, {0.1, 0, Point<3>()}, 1}.is_tight()
+          << std::endl;
+}
+
+
+
 /** A straight fiber in four elements, of lengths that no decimals hold. */
 Textile::FiberPath
 fiber(const unsigned int number,
@@ -247,5 +313,6 @@ main(int argc, char **argv)
   const MPITest mpi(argc, argv);
   run_part("Points", points);
   run_part("Bends", bends);
+  run_part("Bent contacts", bent_contacts);
   run_part("Table", table);
 }

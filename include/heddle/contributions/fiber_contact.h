@@ -3,6 +3,7 @@
 
 #include <heddle/contact/contact_cells.h>
 #include <heddle/contact/contact_parameters.h>
+#include <heddle/contributions/indentation.h>
 #include <heddle/contributions/searched_fibers.h>
 #include <heddle/system/contribution.h>
 
@@ -185,6 +186,20 @@ namespace Heddle
         return n_placements;
       }
 
+      /** The centerlines on which the elements lie. */
+      const Contact::CurveList &
+      curves() const
+      {
+        return fibers.curves();
+      }
+
+      /** Of the last accepted step. */
+      const Indentation &
+      indentation() const
+      {
+        return indented;
+      }
+
       /** Derivative of an element's force by its penetration [N/mm]. */
       double
       stiffness(const Contact::ContactElement &element) const;
@@ -293,6 +308,7 @@ namespace Heddle
       std::vector<Contact::ContactElement> contact_elements;
       std::vector<double> thickness; /**< by fiber, see SearchedFibers [mm] */
       Statistics          statistics;
+      Indentation         indented;
 
       /** Largest penetration over radius, an iteration ago [-]. */
       double deepest_before = 0.;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Heddle
@@ -74,6 +75,15 @@ namespace Heddle
       void
       report(const System::State           &state,
              std::map<std::string, double> &values) const override;
+
+      /**
+       * Where a node is at a load factor, if all of its position is prescribed
+       * [mm]. Throws InputError if a formula has no finite value.
+       */
+      std::optional<Tensor<1, 3>>
+      prescribed_position(const unsigned int f,
+                          const unsigned int node,
+                          const double       load_factor) const;
 
       void
       accept_step(const System::State &state) override;

@@ -89,6 +89,16 @@ namespace Heddle
       /** Largest penetration over fiber radius [-]. */
       double max_penetration_ratio = std::numeric_limits<double>::quiet_NaN();
 
+      /**
+       * How far elastic fibers would be in each other under the force of a
+       * contact, largest of all steps, over the radius [-], ...
+       */
+      double max_indentation_ratio = std::numeric_limits<double>::quiet_NaN();
+
+      /** ... and in that step the work that would take over what energy there
+       * is, twice [-]. */
+      double indentation_work_ratio = std::numeric_limits<double>::quiet_NaN();
+
       /** Largest radius of a fiber over that of a bend of its axis [-]. */
       double max_bend_ratio = std::numeric_limits<double>::quiet_NaN();
 
@@ -118,6 +128,8 @@ namespace Heddle
         visit("active_contact_elements", stage.active_contact_elements);
         visit("n_dofs_per_rank", stage.n_dofs_per_rank);
         visit("max_penetration_ratio", stage.max_penetration_ratio);
+        visit("max_indentation_ratio", stage.max_indentation_ratio);
+        visit("indentation_work_ratio", stage.indentation_work_ratio);
         visit("max_bend_ratio", stage.max_bend_ratio);
         visit("crossings_total", stage.crossings_total);
         visit("crossings_wrong", stage.crossings_wrong);

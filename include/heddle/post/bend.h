@@ -1,9 +1,12 @@
 #ifndef heddle_post_bend_h
 #define heddle_post_bend_h
 
+#include <heddle/contact/contact_element.h>
+#include <heddle/contact/curve_list.h>
 #include <heddle/system/state.h>
 
 #include <string>
+#include <vector>
 
 namespace Heddle
 {
@@ -40,6 +43,45 @@ namespace Heddle
      */
     Bend
     sharpest_bend(const System::State &state);
+
+    /**
+     * A contact of fibers that are bent around each other. The particles that
+     * face each other at p follow from one equation, whose derivative along the
+     * fibers is $|t_a + \sigma t_b|^2 + c \cdot (\kappa_a - \kappa_b)$ with
+     * the connection c and the curvatures $\kappa$ (theory.md 2.1). Where the
+     * second part takes away the first one they are not unique: two hairpins
+     * that hang in each other at a right angle come there when they are bent to
+     * twice their radius, one around a straight fiber when to its radius.
+     */
+    struct BentContact
+    {
+      double       taken = 0.; /**< part of the derivative that is taken [-] */
+      Bend         bend;       /**< of the fiber that is bent more there */
+      unsigned int other = 0;  /**< the fiber that it touches */
+
+      /**
+       * So near to that point that forces may jump, and bent to less than three
+       * times the radius: hairpins at a right angle, bent to 2.7 R. They find
+       * no equilibrium from 2.1 R on.
+       */
+      bool
+      is_tight() const;
+
+      /** "fiber 13 is bent to 2.4 times its own radius near (1, 2, 3), where it
+       * touches fiber 7". */
+      std::string
+      in_words() const;
+    };
+
+    /**
+     * Find the contact that is nearest to that point, of @p elements with
+     * forces, of fibers on @p curves.
+     * @note Collective; the same on all ranks.
+     */
+    BentContact
+    tightest_contact(const System::FiberSpace                   &space,
+                     const Contact::CurveList                   &curves,
+                     const std::vector<Contact::ContactElement> &elements);
   } // namespace Post
 } // namespace Heddle
 

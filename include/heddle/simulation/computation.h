@@ -83,9 +83,10 @@ namespace Heddle
       void
       tell_overfull_yarns() const;
 
-      /** What is to be said of a fiber that is bent too sharply, or nothing. */
+      /** What is to be said of a fiber that is bent too sharply, by itself or
+       * around another one, or nothing. */
       std::string
-      kink_in_words() const;
+      bend_in_words() const;
 
       /** "stage settle, step 3 to load factor 0.5" */
       std::string
@@ -104,6 +105,7 @@ namespace Heddle
       double                                             stage_began    = 0.;
       double                                             stage_began_at = 0.;
       unsigned int n_unstable_steps = 0; /**< of the stage */
+      bool         bend_is_told     = false;
     };
   } // namespace Simulation
 } // namespace Heddle

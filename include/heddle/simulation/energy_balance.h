@@ -26,6 +26,10 @@ namespace Heddle
       static bool
       is_in(const Report &report);
 
+      /** What fibers, contacts, matrix and links have stored [N mm]. */
+      static double
+      elastic_energy(const Report &report);
+
       /** Count from a state on, that of load factor 0. */
       void
       begin(const Report &report);

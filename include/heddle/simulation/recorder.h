@@ -135,6 +135,13 @@ namespace Heddle
         return overfull;
       }
 
+      /** The deepest one of the stage, over its steps. */
+      const Contributions::Indentation &
+      deepest_indentation() const
+      {
+        return deepest;
+      }
+
       /** Write how it ended. */
       void
       finish(const IO::Status status, const std::string &reason);
@@ -221,6 +228,8 @@ namespace Heddle
       IO::Checkpoint       checkpoint;
       EnergyBalance        balance;
       std::string          overfull;
+
+      Contributions::Indentation         deepest;
       std::unique_ptr<IO::FiberOutput>   fibers;
       std::unique_ptr<IO::ContactOutput> contacts;
       std::unique_ptr<IO::MatrixOutput>  matrix;

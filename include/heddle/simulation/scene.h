@@ -4,6 +4,7 @@
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/contributions/fiber_friction.h>
+#include <heddle/contributions/supports.h>
 #include <heddle/post/crossing_order.h>
 #include <heddle/simulation/matrix_estimate.h>
 #include <heddle/simulation/parameters.h>
@@ -130,12 +131,13 @@ namespace Heddle
       turned_matrix() const;
 
       /**
-       * Which of the fibers that were given lie in each other, by more than
-       * half a radius, or nothing. Those of a weave are not looked at.
+       * What is to be said of fibers that were given lying in each other, by
+       * more than half a radius or where supports hold them. Throw InputError
+       * where supports do for good. Those of a weave are not looked at.
        * @note Collective.
        */
-      std::string
-      overlap_at_start() const;
+      std::vector<std::string>
+      overlaps_at_start() const;
 
       /**
        * Why nothing may keep the plane of a bend, or nothing if something does.
@@ -230,6 +232,10 @@ namespace Heddle
       std::string
       deepest_overlap(const double allowed) const;
 
+      /** Contact of the fibers that were given, where they start. */
+      std::unique_ptr<Contributions::FiberContact>
+      contact_at_start(System::State &start) const;
+
       void
       make_paths(const std::string &parameter_file);
 
@@ -290,9 +296,13 @@ namespace Heddle
       std::shared_ptr<Contributions::FiberContact>    fiber_contact;
       std::shared_ptr<Contributions::FiberFriction>   fiber_friction;
       std::shared_ptr<System::Contribution>           guides;
-      std::unique_ptr<Matrix>                         composite;
-      std::vector<Contributions::FabricCase>          fabric_cases;
-      std::vector<Stage>                              all_stages;
+
+      /** Those of the file, of fibers that are no fabric. */
+      std::shared_ptr<Contributions::Supports> supports;
+
+      std::unique_ptr<Matrix>                composite;
+      std::vector<Contributions::FabricCase> fabric_cases;
+      std::vector<Stage>                     all_stages;
 
       /** Whether fibers that were given lie deeper in each other than contact
        * allows. */
