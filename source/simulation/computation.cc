@@ -319,9 +319,9 @@ namespace Heddle
 
       // The way of a snap is no shorter in a shorter step: what is left is to
       // go along it for longer.
-      if (result.used_up && limits.max_iterations < limits.max_at_zero)
+      if (result.used_up && limits.max_iterations < limits.most_iterations)
         {
-          limits.max_iterations = limits.max_at_zero;
+          limits.max_iterations = limits.most_iterations;
           steps.restore();
           log << "  not converged: " << why << "; the whole step gets "
               << limits.max_iterations << " iterations" << std::endl;

@@ -117,8 +117,8 @@ namespace Heddle
       Contributions::CrossingEnforcement &enforcement)
     {
       Solver::NewtonLimits limits;
-      limits.max_iterations = limits.max_at_zero = parameters.iterations;
-      limits.damping                             = parameters.damping;
+      limits.max_iterations = limits.most_iterations = parameters.iterations;
+      limits.damping                                 = parameters.damping;
       Solver::Newton newton(limits, linear_parameters, log, timer, stop);
 
       // Steps beyond the last hold what they have until the fibers followed.

@@ -12,7 +12,8 @@ namespace Heddle
         given_residual,
         "Largest unbalanced nodal force that is accepted, over the "
         "mean contact force, which counts as no less than a "
-        "hundredth of the largest in the stage, or over the "
+        "hundredth of the largest in the stage and a thousandth of "
+        "the largest force of supports, or over the "
         "largest force where nothing touches; 0: 0.01 for a weave "
         "or a measured fabric, 1e-5 for centerlines. A reaction that "
         "is the small difference of large forces, as those of "
@@ -33,7 +34,8 @@ namespace Heddle
         "Iterations after which a load step is given up; 0: 500 "
         "for a weave, a measured fabric and centerlines that are "
         "straight when free, or before loads begin, 60 for others, and "
-        "500 before their shortest step is given up. "
+        "up to 500 as long as fibers touch and unbalanced forces fall, or "
+        "before their shortest step is given up. "
         "As many again for fibers that are held back since they "
         "snap or buckle [-].",
         prm,
@@ -65,7 +67,7 @@ namespace Heddle
       max_iterations       = given_iterations > 0 ? given_iterations
                              : from_afar          ? 500
                                                   : 60;
-      max_at_zero          = given_iterations > 0 ? given_iterations : 500;
+      most_iterations      = given_iterations > 0 ? given_iterations : 500;
     }
   } // namespace Solver
 } // namespace Heddle

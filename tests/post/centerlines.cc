@@ -208,7 +208,7 @@ void
 bent_contacts()
 {
   Simulation::FiberParameters parameters("/Fiber around");
-  parameters.element_name       = "hermite";
+  parameters.element_kind       = Beam::ElementKind::hermite;
   parameters.elements_per_fiber = 32;
   const Contact::ContactParameters contact_parameters("/Contact around");
   for (const double radius : {0.5, 0.3, 0.25, 0.205})

@@ -17,8 +17,11 @@ namespace Heddle
       double       residual_tolerance  = 1e-5;
       double       increment_tolerance = 1e-3;
       unsigned int max_iterations      = 60;
-      unsigned int max_at_zero         = 60; /**< iterations at load factor 0 */
-      double       damping             = 3e-4;
+
+      /** Of those, as long as forces fall, and at load factor 0. */
+      unsigned int most_iterations = 60;
+
+      double damping = 3e-4;
     };
 
 

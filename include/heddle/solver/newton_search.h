@@ -116,6 +116,10 @@ namespace Heddle
       void
       begin_again(const std::string &reason);
 
+      /** Whether unbalanced forces still get smaller, on average. */
+      bool
+      forces_fall() const;
+
       bool
       is_balanced() const;
 
@@ -204,6 +208,9 @@ namespace Heddle
       bool   geometric        = false; /**< it is, in this iteration */
       double ratio_before     = 0.;    /**< of the residual, an iteration ago */
       double wanted           = 0.;    /**< by the last system, in radii */
+
+      /** Unbalanced ones since terms have adapted, by iteration [N]. */
+      std::vector<double> mean_forces;
 
       unsigned int adapted_at = 0; /**< the last iteration that terms did */
       unsigned int n_pending  = 0; /**< with little left of prescribed motion */

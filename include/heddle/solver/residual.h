@@ -16,8 +16,9 @@ namespace Heddle
     struct Residual
     {
       double largest_force = 0.; /**< unbalanced nodal force [N] */
-      double ratio         = 0.; /**< over the typical force [-] */
-      double mean_ratio    = 0.; /**< root mean square instead [-] */
+      double mean_force    = 0.; /**< root mean square instead [N] */
+      double ratio         = 0.; /**< largest over the typical force [-] */
+      double mean_ratio    = 0.; /**< mean over the typical force [-] */
       double matrix_ratio  = 0.; /**< ratio, of the nodes of the matrix [-] */
       double pending       = 0.; /**< prescribed motion left [mm] */
     };
