@@ -56,8 +56,8 @@ namespace Heddle
       /**
        * Where fibers touch forces fall when they are, on average, below this
        * part in one of so many iterations of what they were in all of as many
-       * before. A strand of 19 wires takes 112 iterations for a step, and none of
-       * its halves was found in 60 (tests/application/loose_strand).
+       * before. A strand of 19 wires takes 112 iterations for a step, and none
+       * of its halves was found in 60 (tests/application/loose_strand).
        */
       constexpr double       falling_part   = 0.7;
       constexpr unsigned int falling_window = 20;
