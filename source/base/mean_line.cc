@@ -140,6 +140,10 @@ namespace Heddle
       if (low[f] > begin + large_part * (end - begin) ||
           high[f] < end - large_part * (end - begin))
         result.push_back(f);
+
+    // Where none runs from end to end, as in a spun yarn, all are as good.
+    if (result.size() == fibers.size())
+      return {};
     return result;
   }
 

@@ -6,9 +6,11 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <vector>
 
 namespace Heddle
 {
@@ -42,6 +44,9 @@ namespace Heddle
           double         length   = 0.; /**< [mm] */
           double         pressure = 0.; /**< largest of a cell [N/mm] */
           const Element *deepest  = nullptr;
+
+          /** Of each cell, force [N], length [mm] and least gap [mm]. */
+          std::vector<std::array<double, 3>> cells;
         };
 
 
@@ -52,20 +57,38 @@ namespace Heddle
           Stretch stretch;
           for (auto e = elements.first; e != elements.second;)
             {
-              double             force = 0., length = 0.;
+              double             force = 0., length = 0., gap = e->gap;
               const unsigned int cell = e->cell;
               for (; e != elements.second && e->cell == cell; ++e)
                 {
                   force += e->force;
                   length += e->weight;
+                  gap = std::min(gap, e->gap);
                   if (!stretch.deepest || e->gap < stretch.deepest->gap)
                     stretch.deepest = &*e;
                 }
               stretch.force += force;
               stretch.length += length;
               stretch.pressure = std::max(stretch.pressure, force / length);
+              stretch.cells.push_back({{force, length, gap}});
             }
           return stretch;
+        }
+
+
+
+        /** Forces of a line times what is missing to their depths [N mm]. */
+        double
+        work_of_line(const Stretch               &stretch,
+                     const Contact::PressedFiber &a,
+                     const Contact::PressedFiber &b)
+        {
+          double work = 0.;
+          for (const auto &[force, length, gap] : stretch.cells)
+            work +=
+              force *
+              std::max(0., Contact::line_approach(force / length, a, b) + gap);
+          return work;
         }
 
 
@@ -238,7 +261,8 @@ namespace Heddle
                         stretch.force, std::acos(cosine), one, two)
                     : Contact::line_approach(stretch.pressure, one, two);
           const double depth = approach / std::min(a.radius, b.radius);
-          works[0] += stretch.force * std::max(0., approach + at.gap);
+          works[0] += crosses ? stretch.force * std::max(0., approach + at.gap)
+                              : helpers::work_of_line(stretch, one, two);
           if (depth > worst.ratio)
             {
               worst.ratio    = depth;

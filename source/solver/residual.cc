@@ -17,9 +17,10 @@ namespace Heddle
     namespace
     {
       /**
-       * Of the largest force of supports, what counts as typical at least:
-       * contacts that close or open bear next to nothing, and forces that
-       * vanish are no measure. Of fabrics and strands they bear 5e-3 or more.
+       * Of the largest force of supports, what contacts count for at least
+       * where there are no loads: those that close or open bear next to
+       * nothing, and forces that vanish are no measure. In fabrics and strands
+       * they bear 5e-3 of it or more.
        */
       constexpr double least_part_of_reaction = 1e-3;
 
@@ -67,7 +68,7 @@ namespace Heddle
         double certain    = 0.; /**< unbalanced, above the last digits */
         double on_matrix  = 0.; /**< unbalanced, on nodes of the matrix */
         double residual   = 0.; /**< with what supports hold */
-        double reaction   = 0.; /**< of supports */
+        double reaction   = 0.; /**< of supports, on positions */
       };
 
 
@@ -78,6 +79,29 @@ namespace Heddle
         double sum = 0.; /**< [N^2] */
         double n   = 0.; /**< [-] */
       };
+
+
+
+      /** What unbalanced forces are judged by [N]. */
+      double
+      typical_force(const Contributions &contributions,
+                    const LargestForces &largest)
+      {
+        double of_contact = 0., of_loads = 0.;
+        for (const auto &contribution : contributions)
+          {
+            double &of = contribution->is_nonsmooth() ? of_contact : of_loads;
+            of         = std::max(of, contribution->typical_force());
+          }
+        if (of_loads > 0.)
+          return std::max(of_loads, of_contact);
+        if (of_contact == 0.)
+          return largest.residual;
+        return std::isfinite(largest.reaction)
+                 ? std::max(of_contact,
+                            least_part_of_reaction * largest.reaction)
+                 : of_contact;
+      }
     } // namespace
 
 
@@ -98,6 +122,8 @@ namespace Heddle
       const auto    of_position = [&](const unsigned int k) {
         mean_square.sum += unbalanced[k].norm_square();
         mean_square.n += 1.;
+        largest.reaction = std::max(
+          largest.reaction, size_of(system.residual()[k] - unbalanced[k]));
       };
       const auto of_block = [&](const unsigned int k,
                                 const double       scale,
@@ -106,9 +132,6 @@ namespace Heddle
         largest.unbalanced = std::max(largest.unbalanced, force);
         largest.residual =
           std::max(largest.residual, scale * size_of(system.residual()[k]));
-        largest.reaction =
-          std::max(largest.reaction,
-                   scale * size_of(system.residual()[k] - unbalanced[k]));
         if (force > last_digits)
           largest.certain = std::max(largest.certain, force);
       };
@@ -134,13 +157,7 @@ namespace Heddle
       max_over_ranks(largest, space.communicator());
       sum_over_ranks(mean_square, space.communicator());
 
-      double typical = 0.;
-      for (const auto &contribution : contributions)
-        typical = std::max(typical, contribution->typical_force());
-      typical =
-        typical == 0.
-          ? largest.residual
-          : std::max(typical, least_part_of_reaction * largest.reaction);
+      const double typical = typical_force(contributions, largest);
 
       Residual residual;
       residual.largest_force = largest.unbalanced;

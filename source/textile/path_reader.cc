@@ -71,7 +71,12 @@ namespace Heddle
       std::string
       word_of_fiber(const CsvTable &table, const std::string &name)
       {
-        return table.has(name) ? table.text(name) : "";
+        const std::string word = table.has(name) ? table.text(name) : "";
+        if (word.find_first_of(",\"") != std::string::npos)
+          table.fail("the " + name + " '" + word +
+                     "' has a comma or a quotation mark in it, which lists of "
+                     "names and tables have between them; leave it out.");
+        return word;
       }
 
 
@@ -268,7 +273,8 @@ namespace Heddle
             " points and is " + number_text(order.excess, 2) +
             " times as long as the way from each to the nearest one; give "
             "them in their order along the fiber, and not closer to each "
-            "other than they are exact.");
+            "other than they are exact, or, where it does turn so, more of "
+            "them between its turns.");
 
         const InterpolatedCurve curve(fiber.points, reading.interpolation);
         const unsigned int      n_samples = 64 * (fiber.points.size() - 1);

@@ -195,6 +195,7 @@ no_files_of_fibers()
   refuse_file("fiber,x,y,z,radius\n1,0,0,0,1\n1,1,0,0,-1\n", 0.);
   refuse_file("fiber,x,y,z,set\n1,0,0,0,a\n1,1,0,0,b\n");
   refuse_file("fiber,x,y,z,yarn\n1,0,0,0,a\n1,1,0,0,\n");
+  refuse_file("fiber;x;y;z;set\n1;0;0;0;a,b\n1;1;0;0;a,b\n");
   refuse_file("fiber,x,y,z,set,yarn\n1,0,0,0,a,7\n1,1,0,0,a,7\n"
               "2,0,0,1,b,7\n2,1,0,1,b,7\n");
   refuse_file(head + "1,0,0,0\n1,1,0,0\n", 0.1, 0.);
@@ -326,6 +327,11 @@ fabrics()
   paths.back().points.erase(paths.back().points.begin());
   deallog << lost_fibers(paths, "fibers.csv") << std::endl;
   paths.resize(6);
+
+  // None of the yarn runs from end to end: all are as good.
+  paths[0].points.erase(paths[0].points.begin());
+  deallog << "none whole: \"" << lost_fibers(paths, "fibers.csv") << '"'
+          << std::endl;
 
   refuse_fabric({fiber("warp", 0, 1.), fiber("warp", no_id, 2.)});
   refuse_fabric({fiber("warp", 0, 1.), fiber("pile", 1, 2.)});
