@@ -2,6 +2,7 @@
 #include <heddle/base/file.h>
 #include <heddle/contributions/crossing_enforcement.h>
 #include <heddle/contributions/loads.h>
+#include <heddle/contributions/plates.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/post/bend.h>
 #include <heddle/simulation/fiber_placement.h>
@@ -11,6 +12,7 @@
 #include <heddle/textile/check_paths.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -304,6 +306,8 @@ namespace Heddle
       if (!parameters.loads.empty())
         stage.contributions.push_back(std::make_shared<Contributions::Loads>(
           *fiber_space, initial_blocks, parameters.loads));
+      if (parameters.plates.are_there())
+        add_plates(stage);
       // A matrix holds axes alone: nothing resists the spin of a straight
       // fiber.
       if (is_fabric() || parameters.matrix.enabled)
@@ -323,6 +327,25 @@ namespace Heddle
         };
       add_friction(stage);
       all_stages.push_back(stage);
+    }
+
+
+
+    void
+    Scene::add_plates(Stage &stage) const
+    {
+      double                threshold = parameters.contact.threshold;
+      std::array<double, 2> extent    = {};
+      if (is_fabric())
+        {
+          // Not on its ends, which are held: where the yarns cross.
+          const auto width = fabric_size().width;
+          threshold        = parameters.settle.thresholds(threshold).back();
+          extent           = {{width[1], width[0]}};
+        }
+      stage.contributions.push_back(std::make_shared<Contributions::Plates>(
+        *fiber_space, parameters.plates, threshold, extent));
+      stage.plan.reach(parameters.plates.turning_points());
     }
 
 
