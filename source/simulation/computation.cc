@@ -82,6 +82,7 @@ namespace Heddle
             for (const auto &contribution :
                  scene.stages()[place.stage].contributions)
               contribution->update(scene.state());
+          place.crossings = scene.count_crossings();
           recorder.continue_from(place);
           if (recorder.has_ended(place))
             log << "Note           this run has ended: nothing is left to "
@@ -221,9 +222,11 @@ namespace Heddle
         {
           Solver::NewtonResult result = try_step(stage);
           recorder.count(place.stage, result);
+          if (result.converged)
+            place.crossings = scene.count_crossings();
           if (result.converged && stage.is_loaded)
             {
-              result.obstacle  = stage.objection();
+              result.obstacle  = stage.objection(place.crossings);
               result.converged = result.obstacle.empty();
             }
           // In a matrix what is not stable is not left for what is. It may be
@@ -253,7 +256,7 @@ namespace Heddle
             << " ended in an equilibrium that is not stable: a small "
                "disturbance, such as a force across, leads to another one"
             << std::endl;
-      const std::string objection = stage.objection();
+      const std::string objection = stage.objection(place.crossings);
       if (!objection.empty())
         throw NotConverged("Stage " + stage.name + ": " + objection + ".");
       tell_overfull_yarns();
@@ -269,7 +272,7 @@ namespace Heddle
             << std::endl;
       if (!stage.is_loaded)
         return;
-      const std::string lost = scene.lost_crossings();
+      const std::string lost = place.crossings.apart_in_words();
       if (!lost.empty())
         log << "Note           " << lost
             << ": yarns have slipped off the ends of others" << std::endl;

@@ -134,8 +134,6 @@ namespace Heddle
       // What is written at the end of a stage is in no checkpoint.
       if (place.stepping->finished())
         {
-          if (scene.weave())
-            count_crossings(summary.stages[place.stage]);
           measure_yarns();
           write_centerlines();
         }
@@ -306,9 +304,10 @@ namespace Heddle
           stage.max_indentation_ratio  = deepest.ratio;
           stage.indentation_work_ratio = deepest.work_ratio();
         }
-      stage.max_bend_ratio = values["max_bend_ratio[-]"];
-      if (scene.weave())
-        count_crossings(stage);
+      stage.max_bend_ratio  = values["max_bend_ratio[-]"];
+      stage.crossings_total = place.crossings.total;
+      stage.crossings_wrong = place.crossings.wrong;
+      stage.crossings_apart = place.crossings.apart;
       if (EnergyBalance::is_in(values))
         {
           if (scene.state().load_factor == 0. ||
@@ -319,18 +318,6 @@ namespace Heddle
           values[energy_imbalance] = balance.imbalance();
         }
       add_to_history(place, result, values);
-    }
-
-
-
-    void
-    Recorder::count_crossings(IO::StageSummary &stage) const
-    {
-      const auto crossings =
-        FabricReport(scene.state()).crossings(*scene.weave());
-      stage.crossings_total = crossings.total;
-      stage.crossings_wrong = crossings.wrong;
-      stage.crossings_apart = crossings.apart;
     }
 
 

@@ -187,9 +187,10 @@ namespace Heddle
                 << " when fibers settled: their places and strains stay as "
                    "they were"
                 << std::endl;
-      std::string wrong = scene.wrong_crossings();
+      const Post::CrossingCount crossings = scene.count_crossings();
+      std::string               wrong     = crossings.wrong_in_words();
       if (wrong.empty())
-        wrong = scene.lost_crossings();
+        wrong = crossings.apart_in_words();
       require(wrong.empty(),
               "Restart/Initial configuration: in \"" + file + "\" " + wrong +
                 "; it is of another weave, or of a run that ended so.");

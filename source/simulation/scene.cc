@@ -237,10 +237,11 @@ namespace Heddle
           if (with_friction)
             add_friction(stage);
         }
-      stage.objection = [this]() -> std::string {
-        std::string wrong = wrong_crossings();
+      stage.objection =
+        [](const Post::CrossingCount &crossings) -> std::string {
+        std::string wrong = crossings.wrong_in_words();
         if (wrong.empty())
-          wrong = lost_crossings();
+          wrong = crossings.apart_in_words();
         return wrong.empty()
                  ? ""
                  : wrong +
@@ -295,10 +296,12 @@ namespace Heddle
                           const std::shared_ptr<System::Contribution> &supports)
     {
       Stage stage;
-      stage.name          = name;
-      stage.plan          = parameters.load_stepping.plan();
-      stage.is_loaded     = true;
-      stage.objection     = [this] { return wrong_crossings(); };
+      stage.name      = name;
+      stage.plan      = parameters.load_stepping.plan();
+      stage.is_loaded = true;
+      stage.objection = [](const Post::CrossingCount &crossings) {
+        return crossings.wrong_in_words();
+      };
       stage.begin         = [this] { begin_loading(); };
       stage.contributions = {fiber_elasticity, supports};
       if (!parameters.loads.empty())

@@ -2,13 +2,10 @@
 // model ends.
 #include <heddle/base/exceptions.h>
 #include <heddle/post/bend.h>
-#include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/held_overlap.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/textile/lost_fibers.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +26,7 @@ namespace Heddle
 
       // The yarns are laid out so that all fibers are on their side: elements
       // that are too long for them follow them only so far.
-      const std::string wrong = wrong_crossings();
+      const std::string wrong = count_crossings().wrong_in_words();
       require(wrong.empty(),
               "Fiber/Elements per fiber: at the start " + wrong + ", since " +
                 std::to_string(parameters.fiber.elements_per_fiber) +
@@ -43,36 +40,20 @@ namespace Heddle
     {
       if (!woven)
         return {};
-      // One rank knows all fibers, and all have to know what it says.
-      return Utilities::MPI::broadcast(
-        fiber_space->communicator(),
-        FabricReport(*configuration).crossings(*woven));
-    }
-
-
-
-    std::string
-    Scene::wrong_crossings() const
-    {
-      const Post::CrossingCount crossings = count_crossings();
-      if (crossings.wrong == 0)
-        return "";
-      return std::to_string(crossings.wrong) + " of " +
-             std::to_string(crossings.total) +
-             " crossings of fibers are not as the pattern wants them";
-    }
-
-
-
-    std::string
-    Scene::lost_crossings() const
-    {
-      const Post::CrossingCount crossings = count_crossings();
-      if (crossings.apart == 0)
-        return "";
-      return std::to_string(crossings.apart) + " of " +
-             std::to_string(crossings.total) +
-             " pairs of fibers do not cross though the pattern wants it";
+      std::vector<std::vector<unsigned int>> yarns(fiber_space->n_yarns());
+      for (unsigned int f = 0; f < fiber_space->n_fibers(); ++f)
+        yarns[fiber_space->fiber(f).yarn_id].push_back(f);
+      std::vector<Post::OrderedFibers> pairs;
+      for (const Textile::Crossing &crossing : woven->crossings())
+        {
+          const auto &warp = yarns[crossing.warp_yarn];
+          const auto &weft = yarns[crossing.weft_yarn];
+          if (crossing.warp_on_top)
+            pairs.push_back({warp, weft});
+          else
+            pairs.push_back({weft, warp});
+        }
+      return Post::count_crossing_order(*configuration, pairs);
     }
 
 

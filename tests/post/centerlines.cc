@@ -1,9 +1,11 @@
 // What is told of the centerlines of fibers is the same on any number of ranks:
-// their points, their sharpest bend, that at a contact, and their table.
+// their points, their sharpest bend, that at a contact, how they cross, and
+// their table.
 #include <heddle/base/choice.h>
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/post/bend.h>
 #include <heddle/post/centerline.h>
+#include <heddle/post/crossing_order.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/textile/csv_table.h>
 #include <heddle/textile/path_reader.h>
@@ -307,6 +309,53 @@ table()
 
 
 
+/**
+ * Four fibers along x cross four along y, which are owned by turns: all lie as
+ * they should but for one that is on the wrong side of its neighbours, and one
+ * that ends before it meets the last two. Where ranks own fibers their pairs
+ * are those that a rank finds which has all lines.
+ */
+void
+crossings()
+{
+  const auto straight = [](const Tensor<1, 3> &begin, const Tensor<1, 3> &way) {
+    Textile::FiberPath path;
+    for (unsigned int i = 0; i <= 6; ++i)
+      path.points.push_back(begin + i / 6. * way);
+    path.reference_length = way.norm();
+    path.radius           = 0.01;
+    return path;
+  };
+  std::vector<Textile::FiberPath> paths;
+  Post::OrderedFibers             pairs;
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      const double height = i == 1 ? -0.2 : 0.1, length = i == 2 ? 2. : 4.;
+      pairs.upper.push_back(paths.size());
+      paths.push_back(straight(Tensor<1, 3>({0., i + 0.5, height}),
+                               Tensor<1, 3>({length, 0., 0.})));
+      pairs.lower.push_back(paths.size());
+      paths.push_back(straight(Tensor<1, 3>({i + 0.5, 0., 0.}),
+                               Tensor<1, 3>({0., 4., -0.05})));
+    }
+  const PlacedFibers fibers(paths, Simulation::FiberParameters("/Fiber cross"));
+  const auto         print = [](const std::string         &by,
+                        const Post::CrossingCount &count) {
+    deallog << by << ": " << count.total << " pairs, " << count.wrong
+            << " wrong, " << count.apart << " apart" << std::endl;
+  };
+  const Post::CrossingCount together =
+    Post::count_crossing_order(fibers.state, {pairs});
+  print("by all ranks", together);
+  deallog << together.wrong_in_words() << std::endl
+          << together.apart_in_words() << std::endl;
+  const auto lines = Post::gather_centerlines(fibers.state, 4);
+  if (!lines.empty())
+    print("by one", Post::count_crossing_order(lines, {pairs}));
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -314,5 +363,6 @@ main(int argc, char **argv)
   run_part("Points", points);
   run_part("Bends", bends);
   run_part("Bent contacts", bent_contacts);
+  run_part("Crossings", crossings);
   run_part("Table", table);
 }

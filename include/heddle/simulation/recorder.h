@@ -44,6 +44,9 @@ namespace Heddle
         unsigned int                number   = 0; /**< step, over all stages */
         const Solver::LoadStepping *stepping = nullptr;
         Solver::Predictor           predictor;
+
+        /** Where the last step that came to equilibrium has led. */
+        Post::CrossingCount crossings;
       };
 
       /** The folder must exist where anything is written. @note Collective. */
@@ -185,11 +188,6 @@ namespace Heddle
       write_matrix(const Place       &place,
                    const double       time,
                    const std::string &group);
-
-      /** Of a weave, those that are not as its pattern wants. @note Collective.
-       */
-      void
-      count_crossings(IO::StageSummary &stage) const;
 
       /** Sections of the yarns and what a data sheet says of the fabric, if
        * they are asked for. @note Collective. */

@@ -107,20 +107,12 @@ namespace Heddle
       ends_initially(const unsigned int stage) const;
 
       /**
-       * "3 of 36 crossings of fibers are not as the pattern wants them", or
-       * nothing if all of them are, or if there is no weave.
+       * How the fibers of a weave lie where its pattern has them cross; none
+       * without a weave.
        * @note Collective.
        */
-      std::string
-      wrong_crossings() const;
-
-      /**
-       * "3 of 36 pairs of fibers do not cross though the pattern wants it",
-       * such as fibers that have slipped off the ends of others, or nothing.
-       * @note Collective.
-       */
-      std::string
-      lost_crossings() const;
+      Post::CrossingCount
+      count_crossings() const;
 
       /**
        * How much of a matrix of the linear law has turned so far that another
@@ -238,10 +230,6 @@ namespace Heddle
 
       void
       make_paths(const std::string &parameter_file);
-
-      /** @note Collective. */
-      Post::CrossingCount
-      count_crossings() const;
 
       /** Refuse yarns that begin on the wrong sides of each other. */
       void

@@ -4,6 +4,7 @@
 #include <heddle/base/log.h>
 #include <heddle/base/signals.h>
 #include <heddle/base/timer.h>
+#include <heddle/post/crossing_order.h>
 #include <heddle/solver/load_stepping.h>
 #include <heddle/solver/newton.h>
 
@@ -46,9 +47,10 @@ namespace Heddle
 
       /**
        * Why what was reached at load factor 1, in a loaded stage by any step,
-       * is not the aim, or nothing; the same on all ranks. Collective.
+       * is not the aim, where fibers cross so, or nothing.
        */
-      std::function<std::string()> objection = [] { return std::string(); };
+      std::function<std::string(const Post::CrossingCount &)> objection =
+        [](const Post::CrossingCount &) { return std::string(); };
     };
   } // namespace Simulation
 } // namespace Heddle
