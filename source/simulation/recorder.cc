@@ -1,5 +1,6 @@
 #include <heddle/base/file.h>
 #include <heddle/base/settings.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/base/version.h>
 #include <heddle/io/collection.h>
 #include <heddle/post/centerline.h>
@@ -49,6 +50,18 @@ namespace Heddle
 
 
 
+      /** The file that @p path is, or that is in this folder. */
+      std::string
+      configuration_file(const std::string &path)
+      {
+        std::error_code none_there;
+        return std::filesystem::is_directory(path, none_there)
+                 ? path + "/" + Recorder::initial_configuration
+                 : path;
+      }
+
+
+
       /** What version_text() says, by library. */
       std::map<std::string, std::string>
       versions()
@@ -76,6 +89,11 @@ namespace Heddle
       , file(file)
       , directory(directory)
       , in_force(settings_text(ParameterAcceptor::prm))
+      , given_configuration(ask_first_rank(
+          [&]() {
+            return configuration_file(parameters.restart.initial_configuration);
+          },
+          scene.space().communicator()))
       , timer(timer)
       , first_rank(
           Utilities::MPI::this_mpi_process(scene.space().communicator()) == 0)
@@ -146,11 +164,11 @@ namespace Heddle
     Recorder::clear_folder() const
     {
       // It may begin in an initial configuration that lies here.
-      namespace files         = std::filesystem;
-      const std::string own   = directory + "/" + initial_configuration;
-      const std::string given = configuration_file();
+      namespace files       = std::filesystem;
+      const std::string own = directory + "/" + initial_configuration;
       std::error_code   none_there;
-      if (given.empty() || !files::equivalent(own, given, none_there))
+      if (given_configuration.empty() ||
+          !files::equivalent(own, given_configuration, none_there))
         files::remove(own);
       for (const std::string name :
            {"history.csv", "yarns.csv", "orientation.csv", centerlines})

@@ -1,6 +1,7 @@
 #include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/settings.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
 
@@ -158,22 +159,17 @@ namespace Heddle
 
 
 
-    std::string
-    Recorder::configuration_file() const
-    {
-      const std::string &path = parameters.restart.initial_configuration;
-      return std::filesystem::is_directory(path)
-               ? path + "/" + initial_configuration
-               : path;
-    }
-
-
-
     void
     Recorder::read_initial_configuration(Log &log)
     {
-      const std::string file = configuration_file();
-      require(std::filesystem::exists(file),
+      const std::string &file     = given_configuration;
+      const bool         is_there = ask_first_rank(
+        [&file]() {
+          std::error_code unreachable;
+          return std::filesystem::exists(file, unreachable);
+        },
+        scene.space().communicator());
+      require(is_there,
               "Restart/Initial configuration: there is no file \"" + file +
                 "\"; name the folder of a run that has computed one.");
       const std::string settings = read_initial_configuration(file);
@@ -224,9 +220,9 @@ namespace Heddle
     void
     Recorder::return_to_initial_configuration()
     {
-      const std::string given = configuration_file();
-      read_initial_configuration(
-        given.empty() ? directory + "/" + initial_configuration : given);
+      read_initial_configuration(given_configuration.empty()
+                                   ? directory + "/" + initial_configuration
+                                   : given_configuration);
     }
 
 

@@ -227,13 +227,30 @@ namespace Heddle
 
 
 
+      /** Whether these are names of one file, or of one folder. */
+      bool
+      are_one(const std::string &left,
+              const std::string &right,
+              const MPI_Comm     communicator)
+      {
+        return ask_first_rank(
+          [&]() {
+            std::error_code none_there;
+            return std::filesystem::equivalent(left, right, none_there);
+          },
+          communicator);
+      }
+
+
+
       /** What is removed or written over must not be what the run reads. */
       void
-      spare_centerlines(const std::string &given, const std::string &directory)
+      spare_centerlines(const std::string &given,
+                        const std::string &directory,
+                        const MPI_Comm     communicator)
       {
         const std::string own = directory + "/" + Recorder::centerlines;
-        std::error_code   none_there;
-        require(!std::filesystem::equivalent(own, given, none_there),
+        require(!are_one(own, given, communicator),
                 "Centerlines/File is \"" + own +
                   "\", where this run leaves its own; give it another name, "
                   "or write to another folder.");
@@ -242,14 +259,14 @@ namespace Heddle
 
 
       void
-      spare_checkpoint(const std::string &given, const std::string &directory)
+      spare_checkpoint(const std::string &given,
+                       const std::string &directory,
+                       const MPI_Comm     communicator)
       {
-        const std::string           own = directory + "/checkpoint";
-        const std::filesystem::path folder =
+        const std::string own = directory + "/checkpoint";
+        const std::string folder =
           (std::filesystem::path(".") / given).parent_path();
-        std::error_code none_there;
-        require(given.empty() ||
-                  !std::filesystem::equivalent(own, folder, none_there),
+        require(given.empty() || !are_one(own, folder, communicator),
                 "Restart/Initial configuration is \"" + given +
                   "\", one of the checkpoints that this run removes; copy it, "
                   "or write to another folder.");
@@ -308,8 +325,10 @@ namespace Heddle
       const std::string directory =
         output_directory(command_line, parameters.run);
       spare_centerlines(relative_to(file.name(), parameters.centerlines.file),
-                        directory);
-      spare_checkpoint(parameters.restart.initial_configuration, directory);
+                        directory,
+                        communicator);
+      spare_checkpoint(
+        parameters.restart.initial_configuration, directory, communicator);
       Scene scene(parameters, file.name(), communicator);
       print_sizes(log, scene, parameters);
       Recorder    recorder(scene, parameters, file, directory, timer);

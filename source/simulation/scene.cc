@@ -32,7 +32,7 @@ namespace Heddle
                  const MPI_Comm     communicator)
       : parameters(parameters)
     {
-      make_paths(parameter_file);
+      make_paths(parameter_file, communicator);
       Textile::check_paths(paths);
       fiber_space     = make_space(paths, parameters.fiber, communicator);
       fiber_densities = densities_of(*fiber_space, paths, parameters.fiber);
@@ -67,7 +67,8 @@ namespace Heddle
 
 
     void
-    Scene::make_paths(const std::string &parameter_file)
+    Scene::make_paths(const std::string &parameter_file,
+                      const MPI_Comm     communicator)
     {
       const unsigned int n_nodes = parameters.fiber.element()->n_nodes();
       if (!parameters.run.is_from_file())
@@ -85,8 +86,8 @@ namespace Heddle
         {
           const std::string file =
             relative_to(parameter_file, parameters.centerlines.file);
-          paths =
-            Textile::read_paths(file, parameters.centerlines.reading(n_nodes));
+          paths = Textile::read_paths(
+            file, parameters.centerlines.reading(n_nodes), communicator);
           if (is_fabric())
             measured = std::make_unique<Textile::MeasuredFabric>(paths, file);
         }

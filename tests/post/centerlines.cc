@@ -1,7 +1,9 @@
 // What is told of the centerlines of fibers is the same on any number of ranks:
 // their points, their sharpest bend, that at a contact, how they cross, and
-// their table.
+// their table, which the first rank reads for all.
 #include <heddle/base/choice.h>
+#include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/post/bend.h>
 #include <heddle/post/centerline.h>
@@ -356,6 +358,51 @@ crossings()
 
 
 
+/**
+ * A file that only the first rank finds reaches all of them, with all that is
+ * said of a fiber; one that it does not find is refused by all.
+ */
+void
+one_reads_for_all()
+{
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const bool first = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const std::string there = "fibers.csv", not_there = "not there.csv";
+  if (first)
+    Heddle::write_file(there,
+                       "fiber,x,y,z,radius,set,yarn\n"
+                       "a,0,0,0,0.1,warp,5\na,1,0,0,0.1,warp,5\n");
+  Textile::PathReading reading;
+  reading.element_length = 0.5;
+  reading.axial_strain   = 0.25;
+  const auto paths =
+    Textile::read_paths(first ? there : not_there, reading, MPI_COMM_WORLD);
+  const bool is_right = paths.size() == 1 && paths[0].points.size() == 3 &&
+                        paths[0].points[2][0] == 1. &&
+                        std::abs(paths[0].reference_length - 0.8) < 1e-12 &&
+                        paths[0].radius == 0.1 && paths[0].set == "warp" &&
+                        paths[0].yarn_id == 0;
+  std::string said;
+  try
+    {
+      Textile::read_paths(first ? not_there : there, reading, MPI_COMM_WORLD);
+    }
+  catch (const InputError &error)
+    {
+      said = error.what();
+    }
+  const bool is_refused = said.rfind(not_there, 0) == 0;
+  deallog << "all have the fiber: "
+          << (Utilities::MPI::sum(is_right ? 1u : 0u, MPI_COMM_WORLD) ==
+              n_ranks)
+          << ", all refuse: "
+          << (Utilities::MPI::sum(is_refused ? 1u : 0u, MPI_COMM_WORLD) ==
+              n_ranks)
+          << std::endl;
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -365,4 +412,5 @@ main(int argc, char **argv)
   run_part("Bent contacts", bent_contacts);
   run_part("Crossings", crossings);
   run_part("Table", table);
+  run_part("One reads for all", one_reads_for_all);
 }

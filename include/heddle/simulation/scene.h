@@ -229,7 +229,8 @@ namespace Heddle
       contact_at_start(System::State &start) const;
 
       void
-      make_paths(const std::string &parameter_file);
+      make_paths(const std::string &parameter_file,
+                 const MPI_Comm     communicator);
 
       /** Refuse yarns that begin on the wrong sides of each other. */
       void
