@@ -163,7 +163,7 @@ namespace Heddle
            << counted.n_left_out << " cells inside yarns are left out, "
            << counted.n_dropped << " that nothing holds; volume "
            << std::setprecision(4) << counted.volume << " mm^3, of which "
-           << counted.doubled << " is also fibers";
+           << counted.doubled_volume << " is also fibers";
       if (parameters.subtract_fiber_volume)
         text << ", and " << counted.subtracted << " is subtracted";
       if (counted.unlinked > much_unlinked)
@@ -178,6 +178,16 @@ namespace Heddle
              << " fibers lie wholly outside of the matrix, which does not feel "
                 "them";
       return text.str();
+    }
+
+
+
+    IO::MatrixSummary
+    Matrix::summary() const
+    {
+      IO::MatrixSummary told = counted;
+      told.n_assemblies      = matrix_elasticity->n_assemblies();
+      return told;
     }
 
 
@@ -386,7 +396,8 @@ namespace Heddle
     Matrix::find_doubled_parts()
     {
       std::vector<double> volumes = Textile::fiber_volumes(*mesh, axes);
-      counted.doubled = std::accumulate(volumes.begin(), volumes.end(), 0.);
+      counted.doubled_volume =
+        std::accumulate(volumes.begin(), volumes.end(), 0.);
       for (unsigned int c = 0; c < volumes.size(); ++c)
         volumes[c] /= mesh->volume(c);
       return volumes;

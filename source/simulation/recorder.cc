@@ -497,12 +497,7 @@ namespace Heddle
       // A matrix is there when a stage with loads has begun.
       summary.n_dofs = scene.state().n_dofs();
       if (const Matrix *matrix = scene.matrix())
-        summary.matrix = {matrix->sizes().n_cells,
-                          matrix->sizes().n_nodes,
-                          matrix->sizes().n_links,
-                          matrix->elasticity()->n_assemblies(),
-                          matrix->sizes().volume,
-                          matrix->sizes().doubled};
+        summary.matrix = matrix->summary();
       if (first_rank)
         summary.write(directory);
     }
