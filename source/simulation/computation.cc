@@ -184,11 +184,11 @@ namespace Heddle
       state.step           = 0;
       state.load_factor    = 0.;
       stage.begin();
-      if (stage.is_loaded && scene.matrix())
+      if (stage.is_loaded() && scene.matrix())
         log << scene.matrix()->in_words() << std::endl;
       for (const auto &contribution : stage.contributions)
         contribution->begin_stage(state);
-      if (!stage.is_loaded)
+      if (!stage.is_loaded())
         return;
 
       // A step of no motion leaves the forces from which work counts.
@@ -224,7 +224,7 @@ namespace Heddle
           recorder.count(place.stage, result);
           if (result.converged)
             place.crossings = scene.count_crossings();
-          if (result.converged && stage.is_loaded)
+          if (result.converged && stage.is_loaded())
             {
               result.obstacle  = stage.objection(place.crossings);
               result.converged = result.obstacle.empty();
@@ -270,7 +270,7 @@ namespace Heddle
           stage.aim != Solver::Aim::calm)
         log << "Note           of stage " << stage.name << ", " << indentation
             << std::endl;
-      if (!stage.is_loaded)
+      if (!stage.is_loaded())
         return;
       const std::string lost = place.crossings.apart_in_words();
       if (!lost.empty())
@@ -301,9 +301,9 @@ namespace Heddle
     Computation::try_another_step(const Stage                &stage,
                                   const Solver::NewtonResult &result)
     {
-      Solver::LoadStepping &steps = *stepping[place.stage];
-      const bool            to_zero =
-        scene.is_fabric() && stage.is_loaded && scene.state().load_factor == 0.;
+      Solver::LoadStepping &steps   = *stepping[place.stage];
+      const bool            to_zero = scene.is_fabric() && stage.is_loaded() &&
+                           scene.state().load_factor == 0.;
       const std::string where = place_in_words();
       const std::string jam =
         scene.contact() ? scene.contact()->jam_in_words() : "";
@@ -369,7 +369,7 @@ namespace Heddle
         {
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
-          const bool                 predicts = stage.is_loaded && i == 0;
+          const bool                 predicts = stage.is_loaded() && i == 0;
           const Solver::NewtonResult result   = newton.solve(
             state,
             contributions,
@@ -420,7 +420,7 @@ namespace Heddle
       // Motion to load factor 0 tells nothing of that with the load.
       if (scene.state().load_factor == 0.)
         place.predictor.begin(scene.state());
-      else if (stage.is_loaded)
+      else if (stage.is_loaded())
         place.predictor.add(scene.state());
       ++place.number;
       log << "  converged after " << result.iterations << " iterations";

@@ -329,7 +329,7 @@ namespace Heddle
       if (EnergyBalance::is_in(values))
         {
           if (scene.state().load_factor == 0. ||
-              !scene.stages()[place.stage].is_loaded)
+              !scene.stages()[place.stage].is_loaded())
             balance.begin(values);
           else
             balance.add(values);

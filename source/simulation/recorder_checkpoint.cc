@@ -137,7 +137,7 @@ namespace Heddle
               (i < stages.size() ? "\"" + stages[i].name + "\"" : "has none") +
               ": resume it with the parameters of its run.");
         require(!parameters.matrix.enabled || scene.matrix() ||
-                  !stages[place.stage].is_loaded,
+                  !stages[place.stage].is_loaded(),
                 where + " is of fibers that are loaded without a matrix: set "
                         "Matrix/Enabled to false.");
         place.stepping = stepping[place.stage].get();
@@ -200,16 +200,16 @@ namespace Heddle
       const auto position = checkpoint.read(
         file, scene.state(), [this](const ArchiveReader &archive) {
           for (const Stage &stage : scene.stages())
-            if (stage.is_loaded)
+            if (stage.is_loaded())
               for (const auto &contribution : stage.contributions)
                 contribution->load_initial(archive, scene.state());
         });
+      const std::string needed = word(StageKind::settle);
       require(
-        position.stage == "settle" && scene.state().load_factor == 1.,
+        position.stage == needed && scene.state().load_factor == 1.,
         "Restart/Initial configuration: \"" + file + "\" is of the stage \"" +
-          position.stage +
-          "\", and not the end of the stage \"settle\"; name the file \"" +
-          initial_configuration + "\" of its run.");
+          position.stage + "\", and not the end of the stage \"" + needed +
+          "\"; name the file \"" + initial_configuration + "\" of its run.");
       scene.state().step        = 0;
       scene.state().load_factor = 0.;
       return position.settings;

@@ -56,7 +56,7 @@ namespace Heddle
         {
           supports = std::make_shared<Contributions::Supports>(
             *fiber_space, initial_blocks, parameters.supports);
-          add_load_stage("load", supports);
+          add_load_stage(word(StageKind::load), supports);
         }
     }
 
@@ -141,8 +141,7 @@ namespace Heddle
         std::make_shared<Contributions::CrossingEnforcement>(*fiber_space,
                                                              yarns);
 
-      Stage stage;
-      stage.name          = "order";
+      Stage stage(StageKind::order);
       stage.contributions = {fiber_elasticity, guides};
       add_section_damping(stage, /*with_friction=*/false);
       stage.contributions.push_back(fiber_contact);
@@ -196,8 +195,7 @@ namespace Heddle
     void
     Scene::add_settle_stages()
     {
-      Stage stage;
-      stage.name          = "settle";
+      Stage stage(StageKind::settle);
       stage.contributions = {fiber_elasticity, guides};
       if (fiber_contact)
         {
@@ -222,7 +220,8 @@ namespace Heddle
           if (with_friction)
             {
               Stage approach  = stage;
-              approach.name   = "approach";
+              approach.kind   = StageKind::approach;
+              approach.name   = word(approach.kind);
               approach.plan   = {};
               approach.aim    = Solver::Aim::calm;
               approach.set_up = [=](const double) {
@@ -296,10 +295,9 @@ namespace Heddle
     Scene::add_load_stage(const std::string                           &name,
                           const std::shared_ptr<System::Contribution> &supports)
     {
-      Stage stage;
+      Stage stage(StageKind::load);
       stage.name      = name;
       stage.plan      = parameters.load_stepping.plan();
-      stage.is_loaded = true;
       stage.objection = [](const Post::CrossingCount &crossings) {
         return crossings.wrong_in_words();
       };
@@ -334,9 +332,9 @@ namespace Heddle
     bool
     Scene::ends_initially(const unsigned int stage) const
     {
-      return is_fabric() && !all_stages[stage].is_loaded &&
+      return is_fabric() && !all_stages[stage].is_loaded() &&
              (stage + 1 == all_stages.size() ||
-              all_stages[stage + 1].is_loaded);
+              all_stages[stage + 1].is_loaded());
     }
 
 
@@ -366,7 +364,7 @@ namespace Heddle
     {
       composite = std::make_unique<Matrix>(parameters.matrix, state());
       for (Stage &stage : all_stages)
-        if (stage.is_loaded)
+        if (stage.is_loaded())
           {
             stage.contributions.push_back(composite->elasticity());
             stage.contributions.push_back(composite->coupling());
