@@ -299,7 +299,9 @@ namespace Heddle
 
 
     void
-    run(const CommandLine &command_line, const MPI_Comm communicator)
+    run(const CommandLine      &command_line,
+        const MPI_Comm          communicator,
+        const OwnContributions &make_own)
     {
       ParameterFile file =
         command_line.parameter_file.empty()
@@ -329,7 +331,7 @@ namespace Heddle
                         communicator);
       spare_checkpoint(
         parameters.restart.initial_configuration, directory, communicator);
-      Scene scene(parameters, file.name(), communicator);
+      Scene scene(parameters, file.name(), communicator, make_own);
       print_sizes(log, scene, parameters);
       Recorder    recorder(scene, parameters, file, directory, timer);
       Computation computation(scene, parameters, recorder, log, timer, stop);

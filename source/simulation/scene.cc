@@ -27,10 +27,12 @@ namespace Heddle
 
 
 
-    Scene::Scene(const Parameters  &parameters,
-                 const std::string &parameter_file,
-                 const MPI_Comm     communicator)
+    Scene::Scene(const Parameters       &parameters,
+                 const std::string      &parameter_file,
+                 const MPI_Comm          communicator,
+                 const OwnContributions &make_own)
       : parameters(parameters)
+      , make_own(make_own)
     {
       make_paths(parameter_file, communicator);
       Textile::check_paths(paths);
@@ -306,6 +308,9 @@ namespace Heddle
       if (!parameters.loads.empty())
         stage.contributions.push_back(std::make_shared<Contributions::Loads>(
           *fiber_space, initial_blocks, parameters.loads));
+      if (make_own)
+        for (const auto &own : make_own(*fiber_space, initial_blocks))
+          stage.contributions.push_back(own);
       // A matrix holds axes alone: nothing resists the spin of a straight
       // fiber.
       if (is_fabric() || parameters.matrix.enabled)

@@ -7,6 +7,7 @@
 #include <heddle/contributions/supports.h>
 #include <heddle/post/crossing_order.h>
 #include <heddle/simulation/matrix_estimate.h>
+#include <heddle/simulation/own_contributions.h>
 #include <heddle/simulation/parameters.h>
 #include <heddle/simulation/stage.h>
 #include <heddle/system/state.h>
@@ -35,13 +36,15 @@ namespace Heddle
     {
     public:
       /**
-       * @p parameter_file is where the names of other files count from.
+       * @p parameter_file is where the names of other files count from,
+       * @p make_own adds to the contributions of stages with loads.
        * Throws InputError if no scene can be made of the parameters.
        * @note Collective.
        */
-      Scene(const Parameters  &parameters,
-            const std::string &parameter_file,
-            const MPI_Comm     communicator);
+      Scene(const Parameters       &parameters,
+            const std::string      &parameter_file,
+            const MPI_Comm          communicator,
+            const OwnContributions &make_own = {});
 
       ~Scene();
 
@@ -274,6 +277,7 @@ namespace Heddle
       begin_loading();
 
       const Parameters                               &parameters;
+      const OwnContributions                          make_own;
       std::unique_ptr<Textile::Weave>                 woven;
       std::unique_ptr<Textile::MeasuredFabric>        measured;
       std::vector<Textile::FiberPath>                 paths;
