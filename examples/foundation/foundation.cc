@@ -5,6 +5,12 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
 using namespace dealii;
 using namespace Heddle;
 
@@ -41,12 +47,6 @@ public:
   name() const override
   {
     return "foundation";
-  }
-
-  /** Nodes are coupled to nothing but themselves. */
-  void
-  add_pattern(const System::State &, System::BlockPattern &) override
-  {
   }
 
   void

@@ -79,9 +79,7 @@ namespace Heddle
           // Only a search tells whether fibers are near each other. A stage
           // that has yet to begin sees to this by itself.
           if (place.stepping->has_begun())
-            for (const auto &contribution :
-                 scene.stages()[place.stage].contributions)
-              contribution->update(scene.state());
+            update_contacts();
           place.crossings = scene.count_crossings();
           recorder.continue_from(place);
           if (recorder.has_ended(place))
@@ -139,6 +137,16 @@ namespace Heddle
 
 
     void
+    Computation::update_contacts()
+    {
+      for (auto *term :
+           Solver::nonsmooth_terms(scene.stages()[place.stage].contributions))
+        term->update(scene.state());
+    }
+
+
+
+    void
     Computation::keep_last_step()
     {
       // The stage before has ended well, and what follows may be set otherwise.
@@ -149,8 +157,7 @@ namespace Heddle
           return;
         }
       // Contact was last looked at where no equilibrium was found.
-      for (const auto &contribution : scene.stages()[place.stage].contributions)
-        contribution->update(scene.state());
+      update_contacts();
       recorder.keep(place);
     }
 
@@ -385,11 +392,8 @@ namespace Heddle
           total.unstable       = result.unstable;
 
           // Only now is it known whether fibers came near each other.
-          const bool nonsmooth =
-            std::any_of(contributions.begin(),
-                        contributions.end(),
-                        [](const auto &one) { return one->is_nonsmooth(); });
-          if (!result.converged || !nonsmooth || stage.aim == Solver::Aim::calm)
+          if (!result.converged || stage.aim == Solver::Aim::calm ||
+              !Solver::is_nonsmooth(Solver::nonsmooth_terms(contributions)))
             return total;
 
           for (const auto &contribution : contributions)

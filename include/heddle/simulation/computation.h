@@ -41,6 +41,10 @@ namespace Heddle
       read_checkpoint();
 
     private:
+      /** Look for contacts in the state as it is. */
+      void
+      update_contacts();
+
       /** No equilibrium was found: see that the last one is kept. */
       void
       keep_last_step();

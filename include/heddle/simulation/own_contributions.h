@@ -1,7 +1,7 @@
 #ifndef heddle_simulation_own_contributions_h
 #define heddle_simulation_own_contributions_h
 
-#include <heddle/solver/newton.h>
+#include <heddle/solver/terms.h>
 #include <heddle/system/fiber_space.h>
 
 #include <functional>
