@@ -2,6 +2,7 @@
 #include <heddle/post/bend.h>
 #include <heddle/simulation/computation.h>
 #include <heddle/simulation/matrix.h>
+#include <heddle/simulation/scene_notes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -257,6 +258,14 @@ namespace Heddle
           else
             try_another_step(stage, result);
         }
+      end_stage(stage);
+    }
+
+
+
+    void
+    Computation::end_stage(const Stage &stage)
+    {
       if (n_unstable_steps > 0)
         log << "Note           " << n_unstable_steps << " steps of stage "
             << stage.name
@@ -277,8 +286,15 @@ namespace Heddle
           stage.aim != Solver::Aim::calm)
         log << "Note           of stage " << stage.name << ", " << indentation
             << std::endl;
-      if (!stage.is_loaded())
-        return;
+      if (stage.is_loaded())
+        end_loading(stage);
+    }
+
+
+
+    void
+    Computation::end_loading(const Stage &stage) const
+    {
       const std::string lost = place.crossings.apart_in_words();
       if (!lost.empty())
         log << "Note           " << lost
@@ -288,7 +304,8 @@ namespace Heddle
       if (!imbalance.empty())
         log << "Note           of stage " << stage.name << ", " << imbalance
             << std::endl;
-      const std::string turned = scene.turned_matrix();
+      const std::string turned =
+        scene.matrix() ? scene.matrix()->turned_in_words(scene.state()) : "";
       if (!turned.empty())
         log << "Note           " << turned << std::endl;
     }
@@ -337,7 +354,8 @@ namespace Heddle
               << limits.max_iterations << " iterations" << std::endl;
           return;
         }
-      const std::string advice = to_zero ? loose_ends : scene.missing_torsion();
+      const std::string advice =
+        to_zero ? loose_ends : missing_torsion(scene, parameters);
       throw NotConverged(
         "No equilibrium in " + where + " after " +
         std::to_string(result.iterations) + " iterations" +

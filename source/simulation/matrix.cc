@@ -182,6 +182,24 @@ namespace Heddle
 
 
 
+    std::string
+    Matrix::turned_in_words(const System::State &state) const
+    {
+      // Turned by an angle, material seems strained by half of its square.
+      constexpr double large = 0.15, much = 0.05;
+      const auto       turns = matrix_elasticity->turns(state, large);
+      if (turns.part < much)
+        return "";
+      std::ostringstream text;
+      text << std::setprecision(2) << "Matrix/Law is linear, which takes turns "
+           << "for strains: " << std::lround(100. * turns.part)
+           << " % of the matrix has turned by more than " << large
+           << " rad, up to " << turns.largest << "; another law is right there";
+      return text.str();
+    }
+
+
+
     IO::MatrixSummary
     Matrix::summary() const
     {

@@ -7,6 +7,7 @@
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
+#include <heddle/simulation/scene_notes.h>
 #include <heddle/simulation/yarn_guides.h>
 #include <heddle/textile/check_paths.h>
 
@@ -23,6 +24,15 @@ namespace Heddle
     {
       /** Of a fiber; more are a slip of the finger. */
       constexpr unsigned int most_elements = 1000000;
+
+      /** Where fibers have settled otherwise than the pattern wants. */
+      const char *const what_helps_crossings =
+        "; start with more crimp (Weave/Crimp factor), or interpenetrating "
+        "with "
+        "more ordering steps, and see to it that yarns do not slip off the "
+        "ends "
+        "of others (Weave/End length, Initial configuration/Axial tension) and "
+        "that elements are short where fibers bend (Fiber/Elements per fiber)";
     } // namespace
 
 
@@ -56,9 +66,9 @@ namespace Heddle
         add_load_cases();
       else if (!parameters.supports.empty())
         {
-          supports = std::make_shared<Contributions::Supports>(
+          held_by = std::make_shared<Contributions::Supports>(
             *fiber_space, initial_blocks, parameters.supports);
-          add_load_stage(word(StageKind::load), supports);
+          add_load_stage(word(StageKind::load), held_by);
         }
     }
 
@@ -93,6 +103,48 @@ namespace Heddle
           if (is_fabric())
             measured = std::make_unique<Textile::MeasuredFabric>(paths, file);
         }
+    }
+
+
+
+    void
+    Scene::check_start() const
+    {
+      const auto weave = parameters.weave.description();
+      if (!woven || weave.start != Textile::Start::crimped ||
+          weave.crimp_factor > 0.)
+        return;
+
+      // The yarns are laid out so that all fibers are on their side: elements
+      // that are too long for them follow them only so far.
+      const std::string wrong = count_crossings().wrong_in_words();
+      require(wrong.empty(),
+              "Fiber/Elements per fiber: at the start " + wrong + ", since " +
+                std::to_string(parameters.fiber.elements_per_fiber) +
+                " elements are too few for the bends of a fiber; give more.");
+    }
+
+
+
+    Post::CrossingCount
+    Scene::count_crossings() const
+    {
+      if (!woven)
+        return {};
+      std::vector<std::vector<unsigned int>> yarns(fiber_space->n_yarns());
+      for (unsigned int f = 0; f < fiber_space->n_fibers(); ++f)
+        yarns[fiber_space->fiber(f).yarn_id].push_back(f);
+      std::vector<Post::OrderedFibers> pairs;
+      for (const Textile::Crossing &crossing : woven->crossings())
+        {
+          const auto &warp = yarns[crossing.warp_yarn];
+          const auto &weft = yarns[crossing.weft_yarn];
+          if (crossing.warp_on_top)
+            pairs.push_back({warp, weft});
+          else
+            pairs.push_back({weft, warp});
+        }
+      return Post::count_crossing_order(*configuration, pairs);
     }
 
 
@@ -197,63 +249,60 @@ namespace Heddle
     void
     Scene::add_settle_stages()
     {
+      // The load factor k/n stands for the k-th of n thresholds.
+      const std::vector<double> thresholds =
+        parameters.settle.thresholds(parameters.contact.threshold);
+      // Friction begins where the fibers have come to lie: it holds them there,
+      // and is not what remains of their way.
+      const bool with_friction = fiber_friction && parameters.settle.friction;
+      if (with_friction)
+        add_approach_stage(thresholds.front());
+
       Stage stage(StageKind::settle);
       stage.contributions = {fiber_elasticity, guides};
       if (fiber_contact)
         {
-          // The load factor k/n stands for the k-th of n thresholds.
-          const std::vector<double> thresholds =
-            parameters.settle.thresholds(parameters.contact.threshold);
           const double n           = thresholds.size();
           stage.plan.initial_step  = 1. / n;
           stage.plan.largest_step  = 1. / n;
           stage.plan.smallest_step = 1. / n;
-          const auto contact       = fiber_contact;
-          stage.set_up             = [=](const double load_factor) {
+          stage.set_up             = [        =,
+                          contact = fiber_contact](const double load_factor) {
             // A run may go on with other thresholds than it began with.
             contact->set_threshold(
               thresholds[std::max(std::lround(load_factor * n), 1l) - 1]);
           };
-
-          // Friction begins where the fibers have come to lie: it holds them
-          // there, and is not what remains of their way.
-          const bool with_friction =
-            fiber_friction && parameters.settle.friction;
-          if (with_friction)
-            {
-              Stage approach  = stage;
-              approach.kind   = StageKind::approach;
-              approach.name   = word(approach.kind);
-              approach.plan   = {};
-              approach.aim    = Solver::Aim::calm;
-              approach.set_up = [=](const double) {
-                contact->set_threshold(thresholds.front());
-              };
-              add_section_damping(approach, /*with_friction=*/false);
-              approach.contributions.push_back(fiber_contact);
-              all_stages.push_back(approach);
-              stage.aim = Solver::Aim::equilibrium_after_calm;
-            }
           add_section_damping(stage, with_friction);
           stage.contributions.push_back(fiber_contact);
-          if (with_friction)
-            add_friction(stage);
+        }
+      if (with_friction)
+        {
+          stage.aim = Solver::Aim::equilibrium_after_calm;
+          add_friction(stage);
         }
       stage.objection =
         [](const Post::CrossingCount &crossings) -> std::string {
         std::string wrong = crossings.wrong_in_words();
         if (wrong.empty())
           wrong = crossings.apart_in_words();
-        return wrong.empty()
-                 ? ""
-                 : wrong +
-                     "; start with more crimp (Weave/Crimp factor), or "
-                     "interpenetrating with more ordering steps, and see "
-                     "to it that yarns do not slip off the ends of others "
-                     "(Weave/End length, Initial configuration/Axial "
-                     "tension) and that elements are short where fibers "
-                     "bend (Fiber/Elements per fiber)";
+        return wrong.empty() ? "" : wrong + what_helps_crossings;
       };
+      all_stages.push_back(stage);
+    }
+
+
+
+    void
+    Scene::add_approach_stage(const double threshold)
+    {
+      Stage stage(StageKind::approach);
+      stage.contributions = {fiber_elasticity, guides};
+      stage.aim           = Solver::Aim::calm;
+      stage.set_up        = [contact = fiber_contact, threshold](const double) {
+        contact->set_threshold(threshold);
+      };
+      add_section_damping(stage, /*with_friction=*/false);
+      stage.contributions.push_back(fiber_contact);
       all_stages.push_back(stage);
     }
 
@@ -357,7 +406,8 @@ namespace Heddle
         }
       begins_overlapping =
         !is_fabric() && fiber_friction &&
-        !deepest_overlap(parameters.contact.threshold).empty();
+        !deepest_overlap(*this, parameters, parameters.contact.threshold)
+           .empty();
       if (parameters.matrix.enabled && !composite)
         embed();
     }

@@ -58,6 +58,14 @@ namespace Heddle
       void
       run_stage();
 
+      /** Say what is to be said of it; throw NotConverged if it has led to what
+       * it must not. */
+      void
+      end_stage(const Stage &stage);
+
+      void
+      end_loading(const Stage &stage) const;
+
       /**
        * After one that led to no equilibrium: a shorter one or, if there is
        * none, once more the whole one with more iterations. Throw NotConverged

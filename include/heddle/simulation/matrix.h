@@ -54,6 +54,14 @@ namespace Heddle
       std::string
       in_words() const;
 
+      /**
+       * How much of a matrix of the linear law has turned so far that another
+       * one is right, or nothing.
+       * @note Collective.
+       */
+      std::string
+      turned_in_words(const System::State &state) const;
+
       const std::shared_ptr<Contributions::MatrixElasticity> &
       elasticity() const
       {
