@@ -46,15 +46,8 @@ namespace Heddle
     if (!Utilities::MPI::job_supports_mpi())
       return read_file(name, what);
 
-    const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
-    std::string text;
-    throw_together(
-      [&]() {
-        if (first_rank)
-          text = read_file(name, what);
-      },
-      communicator);
-    return Utilities::MPI::broadcast(communicator, text);
+    return ask_first_rank([&]() { return read_file(name, what); },
+                          communicator);
   }
 
 

@@ -13,9 +13,9 @@ namespace Heddle
     namespace
     {
       /**
-       * Fibers at an angle touch over a small part of the length over which
-       * parallel ones do, and carry as much: their first penalty is so many
-       * times larger.
+       * The stretch over which fibers at an angle touch is shorter by its sine
+       * than that of parallel ones, and carries as much: the first penalty of
+       * those at a right angle is so many times larger.
        */
       constexpr double crossing_factor = 10.;
 
@@ -223,7 +223,7 @@ namespace Heddle
       // A zone that grew is as stiff in its new cells as in its old ones.
       if (known_penalty == 0.)
         known_penalty = first_penalty(zone.fiber_a, zone.fiber_b) * cell.kept *
-                        (parting > radius ? crossing_factor : 1.);
+                        std::max(1., crossing_factor * zone.sine);
       for (auto k = first_of_zone; k < all_cells.size(); ++k)
         if (all_cells[k].penalty == 0.)
           all_cells[k].penalty = known_penalty;

@@ -160,8 +160,9 @@ namespace Heddle
                  const System::MatrixSpace &matrix,
                  Collector                 &collector)
       {
-        for (const unsigned int side : support.sides())
-          for (const unsigned int node : matrix.nodes_on_side(side))
+        for (const MatrixSide side : support.matrix_sides)
+          for (const unsigned int node :
+               matrix.nodes_on_side(static_cast<unsigned int>(side)))
             for (unsigned int d = 0; d < 3; ++d)
               if (!support.is_free(d))
                 {

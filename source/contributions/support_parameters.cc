@@ -12,13 +12,11 @@ namespace Heddle
     {
       where = section_in_words(*this);
       nodes.add_parameters(*this);
-      add_parameter(
-        "Matrix sides",
-        matrix_sides,
-        "Sides of the matrix that move as 'Displacement' says, as "
-        "in 'x-, x+'. Inactive without a matrix [-].",
-        prm,
-        Patterns::List(Patterns::Selection("x-|x+|y-|y+|z-|z+"), 0, 6));
+      add_choices(*this,
+                  "Matrix sides",
+                  matrix_sides,
+                  "Sides of the matrix that move as 'Displacement' says, as "
+                  "in 'x-, x+'. Inactive without a matrix [-].");
       for (unsigned int d = 0; d < 3; ++d)
         add_parameter(std::string("Displacement ") + "xyz"[d],
                       displacement[d],

@@ -182,15 +182,9 @@ namespace Heddle
     std::string
     Checkpoint::last(const std::string &directory, const MPI_Comm communicator)
     {
-      // On disks of a network ranks may see folders as they were.
-      std::string path;
-      throw_together(
-        [&]() {
-          if (Utilities::MPI::this_mpi_process(communicator) == 0)
-            path = internal::Checkpoint::last_file(directory);
-        },
+      return ask_first_rank(
+        [&]() { return internal::Checkpoint::last_file(directory); },
         communicator);
-      return Utilities::MPI::broadcast(communicator, path);
     }
 
 

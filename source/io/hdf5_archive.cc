@@ -240,13 +240,14 @@ namespace Heddle
     {
       Hdf5::silence();
 
-      // Only one rank asks, so that all of them stop, or none.
-      int is_there = 0;
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        is_there = std::filesystem::is_regular_file(path) &&
-                   H5Fis_hdf5(path.c_str()) > 0;
-      is_there = Utilities::MPI::broadcast(communicator, is_there);
-      require(is_there != 0,
+      const bool is_there = ask_first_rank(
+        [&]() {
+          std::error_code unreachable;
+          return std::filesystem::is_regular_file(path, unreachable) &&
+                 H5Fis_hdf5(path.c_str()) > 0;
+        },
+        communicator);
+      require(is_there,
               "The checkpoint \"" + path +
                 "\" does not exist or is no complete HDF5 file.");
 

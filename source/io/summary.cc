@@ -58,20 +58,6 @@ namespace Heddle
             stage);
           return json;
         }
-
-
-
-        void
-        add(const MatrixSummary &matrix, Json &json)
-        {
-          json["n_matrix_cells"]      = matrix.n_cells;
-          json["n_matrix_nodes"]      = matrix.n_nodes;
-          json["n_links"]             = matrix.n_links;
-          json["n_matrix_assemblies"] = matrix.n_assemblies;
-          json["matrix_volume_mm3"]   = matrix.volume;
-          json["doubled_volume_mm3"]  = matrix.doubled_volume;
-          json["doubled_part"]        = matrix.doubled_volume / matrix.volume;
-        }
       } // namespace Summary
     }   // namespace internal
 
@@ -90,7 +76,11 @@ namespace Heddle
       json["ranks"]         = ranks;
       json["contributions"] = contributions;
       if (matrix)
-        internal::Summary::add(*matrix, json);
+        MatrixSummary::describe(
+          [&json](const std::string &name, const auto &value) {
+            json[name] = value;
+          },
+          *matrix);
 
       json["stages"] = internal::Summary::Json::array();
       for (const auto &stage : stages)

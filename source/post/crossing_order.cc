@@ -1,4 +1,7 @@
+#include <heddle/post/centerline.h>
 #include <heddle/post/crossing_order.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <limits>
@@ -9,6 +12,11 @@ namespace Heddle
   {
     namespace
     {
+      /** Straight pieces between two nodes. */
+      constexpr unsigned int pieces_per_interval = 4;
+
+
+
       enum class Order
       {
         right,
@@ -104,7 +112,59 @@ namespace Heddle
               }
         return order;
       }
+
+
+
+      /** Add the pairs of which both lists have a line. */
+      void
+      add_pairs(const std::vector<Polyline>      &uppers,
+                const std::vector<Polyline>      &lowers,
+                const std::vector<OrderedFibers> &crossings,
+                CrossingCount                    &count)
+      {
+        for (const OrderedFibers &crossing : crossings)
+          for (const unsigned int j : crossing.lower)
+            {
+              if (lowers[j].empty())
+                continue;
+              Rectangle around;
+              for (const Tensor<1, 3> &point : lowers[j])
+                around.add(point);
+              for (const unsigned int i : crossing.upper)
+                {
+                  if (uppers[i].empty())
+                    continue;
+                  const Order order =
+                    order_of_fibers(uppers[i], lowers[j], around);
+                  ++count.total;
+                  count.wrong += (order == Order::wrong);
+                  count.apart += (order == Order::apart);
+                }
+            }
+      }
     } // namespace
+
+
+
+    std::string
+    CrossingCount::wrong_in_words() const
+    {
+      if (wrong == 0)
+        return "";
+      return std::to_string(wrong) + " of " + std::to_string(total) +
+             " crossings of fibers are not as the pattern wants them";
+    }
+
+
+
+    std::string
+    CrossingCount::apart_in_words() const
+    {
+      if (apart == 0)
+        return "";
+      return std::to_string(apart) + " of " + std::to_string(total) +
+             " pairs of fibers do not cross though the pattern wants it";
+    }
 
 
 
@@ -113,21 +173,33 @@ namespace Heddle
                          const std::vector<OrderedFibers> &crossings)
     {
       CrossingCount count;
-      for (const OrderedFibers &crossing : crossings)
-        for (const unsigned int j : crossing.lower)
-          {
-            Rectangle around;
-            for (const Tensor<1, 3> &point : fibers[j])
-              around.add(point);
-            for (const unsigned int i : crossing.upper)
-              {
-                const Order order =
-                  order_of_fibers(fibers[i], fibers[j], around);
-                ++count.total;
-                count.wrong += (order == Order::wrong);
-                count.apart += (order == Order::apart);
-              }
-          }
+      add_pairs(fibers, fibers, crossings, count);
+      return count;
+    }
+
+
+
+    CrossingCount
+    count_crossing_order(const System::State              &state,
+                         const std::vector<OrderedFibers> &crossings)
+    {
+      const MPI_Comm        communicator = state.space.communicator();
+      const auto            range        = state.space.owned_fibers();
+      std::vector<Polyline> own(state.space.n_fibers());
+      for (unsigned int f = range.first; f < range.second; ++f)
+        own[f] = centerline(state, f, pieces_per_interval);
+
+      CrossingCount      count;
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+      for (unsigned int rank = 0; rank < n_ranks; ++rank)
+        add_pairs(own,
+                  Utilities::MPI::broadcast(communicator, own, rank),
+                  crossings,
+                  count);
+      count.total = Utilities::MPI::sum(count.total, communicator);
+      count.wrong = Utilities::MPI::sum(count.wrong, communicator);
+      count.apart = Utilities::MPI::sum(count.apart, communicator);
       return count;
     }
   } // namespace Post

@@ -2,6 +2,7 @@
 #include <heddle/post/bend.h>
 #include <heddle/simulation/computation.h>
 #include <heddle/simulation/matrix.h>
+#include <heddle/simulation/scene_notes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -79,9 +80,8 @@ namespace Heddle
           // Only a search tells whether fibers are near each other. A stage
           // that has yet to begin sees to this by itself.
           if (place.stepping->has_begun())
-            for (const auto &contribution :
-                 scene.stages()[place.stage].contributions)
-              contribution->update(scene.state());
+            update_contacts();
+          place.crossings = scene.count_crossings();
           recorder.continue_from(place);
           if (recorder.has_ended(place))
             log << "Note           this run has ended: nothing is left to "
@@ -138,6 +138,16 @@ namespace Heddle
 
 
     void
+    Computation::update_contacts()
+    {
+      for (auto *term :
+           Solver::nonsmooth_terms(scene.stages()[place.stage].contributions))
+        term->update(scene.state());
+    }
+
+
+
+    void
     Computation::keep_last_step()
     {
       // The stage before has ended well, and what follows may be set otherwise.
@@ -148,8 +158,7 @@ namespace Heddle
           return;
         }
       // Contact was last looked at where no equilibrium was found.
-      for (const auto &contribution : scene.stages()[place.stage].contributions)
-        contribution->update(scene.state());
+      update_contacts();
       recorder.keep(place);
     }
 
@@ -183,11 +192,11 @@ namespace Heddle
       state.step           = 0;
       state.load_factor    = 0.;
       stage.begin();
-      if (stage.is_loaded && scene.matrix())
+      if (stage.is_loaded() && scene.matrix())
         log << scene.matrix()->in_words() << std::endl;
       for (const auto &contribution : stage.contributions)
         contribution->begin_stage(state);
-      if (!stage.is_loaded)
+      if (!stage.is_loaded())
         return;
 
       // A step of no motion leaves the forces from which work counts.
@@ -221,9 +230,11 @@ namespace Heddle
         {
           Solver::NewtonResult result = try_step(stage);
           recorder.count(place.stage, result);
-          if (result.converged && stage.is_loaded)
+          if (result.converged)
+            place.crossings = scene.count_crossings();
+          if (result.converged && stage.is_loaded())
             {
-              result.obstacle  = stage.objection();
+              result.obstacle  = stage.objection(place.crossings);
               result.converged = result.obstacle.empty();
             }
           // In a matrix what is not stable is not left for what is. It may be
@@ -247,13 +258,21 @@ namespace Heddle
           else
             try_another_step(stage, result);
         }
+      end_stage(stage);
+    }
+
+
+
+    void
+    Computation::end_stage(const Stage &stage)
+    {
       if (n_unstable_steps > 0)
         log << "Note           " << n_unstable_steps << " steps of stage "
             << stage.name
             << " ended in an equilibrium that is not stable: a small "
                "disturbance, such as a force across, leads to another one"
             << std::endl;
-      const std::string objection = stage.objection();
+      const std::string objection = stage.objection(place.crossings);
       if (!objection.empty())
         throw NotConverged("Stage " + stage.name + ": " + objection + ".");
       tell_overfull_yarns();
@@ -267,9 +286,16 @@ namespace Heddle
           stage.aim != Solver::Aim::calm)
         log << "Note           of stage " << stage.name << ", " << indentation
             << std::endl;
-      if (!stage.is_loaded)
-        return;
-      const std::string lost = scene.lost_crossings();
+      if (stage.is_loaded())
+        end_loading(stage);
+    }
+
+
+
+    void
+    Computation::end_loading(const Stage &stage) const
+    {
+      const std::string lost = place.crossings.apart_in_words();
       if (!lost.empty())
         log << "Note           " << lost
             << ": yarns have slipped off the ends of others" << std::endl;
@@ -278,7 +304,8 @@ namespace Heddle
       if (!imbalance.empty())
         log << "Note           of stage " << stage.name << ", " << imbalance
             << std::endl;
-      const std::string turned = scene.turned_matrix();
+      const std::string turned =
+        scene.matrix() ? scene.matrix()->turned_in_words(scene.state()) : "";
       if (!turned.empty())
         log << "Note           " << turned << std::endl;
     }
@@ -298,9 +325,9 @@ namespace Heddle
     Computation::try_another_step(const Stage                &stage,
                                   const Solver::NewtonResult &result)
     {
-      Solver::LoadStepping &steps = *stepping[place.stage];
-      const bool            to_zero =
-        scene.is_fabric() && stage.is_loaded && scene.state().load_factor == 0.;
+      Solver::LoadStepping &steps   = *stepping[place.stage];
+      const bool            to_zero = scene.is_fabric() && stage.is_loaded() &&
+                           scene.state().load_factor == 0.;
       const std::string where = place_in_words();
       const std::string jam =
         scene.contact() ? scene.contact()->jam_in_words() : "";
@@ -327,7 +354,8 @@ namespace Heddle
               << limits.max_iterations << " iterations" << std::endl;
           return;
         }
-      const std::string advice = to_zero ? loose_ends : scene.missing_torsion();
+      const std::string advice =
+        to_zero ? loose_ends : missing_torsion(scene, parameters);
       throw NotConverged(
         "No equilibrium in " + where + " after " +
         std::to_string(result.iterations) + " iterations" +
@@ -366,7 +394,7 @@ namespace Heddle
         {
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
-          const bool                 predicts = stage.is_loaded && i == 0;
+          const bool                 predicts = stage.is_loaded() && i == 0;
           const Solver::NewtonResult result   = newton.solve(
             state,
             contributions,
@@ -382,11 +410,8 @@ namespace Heddle
           total.unstable       = result.unstable;
 
           // Only now is it known whether fibers came near each other.
-          const bool nonsmooth =
-            std::any_of(contributions.begin(),
-                        contributions.end(),
-                        [](const auto &one) { return one->is_nonsmooth(); });
-          if (!result.converged || !nonsmooth || stage.aim == Solver::Aim::calm)
+          if (!result.converged || stage.aim == Solver::Aim::calm ||
+              !Solver::is_nonsmooth(Solver::nonsmooth_terms(contributions)))
             return total;
 
           for (const auto &contribution : contributions)
@@ -417,7 +442,7 @@ namespace Heddle
       // Motion to load factor 0 tells nothing of that with the load.
       if (scene.state().load_factor == 0.)
         place.predictor.begin(scene.state());
-      else if (stage.is_loaded)
+      else if (stage.is_loaded())
         place.predictor.add(scene.state());
       ++place.number;
       log << "  converged after " << result.iterations << " iterations";

@@ -243,18 +243,19 @@ namespace Heddle
       const bool uniaxial      = kind == FabricTest::uniaxial_tension;
       Contributions::SupportList list;
       for (const YarnSet family : all_choices<YarnSet>())
-        for (const std::string side : {"-", "+"})
+        for (const bool upper : {false, true})
           {
             const auto along      = static_cast<unsigned int>(family);
             const bool lateral    = uniaxial && family != direction;
             auto       support    = std::make_shared<Contributions::Support>();
             support->where        = "Fabric loading";
             support->nodes.fibers = word(family);
-            support->nodes.nodes  = side == "-"
-                                      ? Contributions::ChosenNodes::first_end
-                                      : Contributions::ChosenNodes::last_end;
+            support->nodes.nodes  = upper
+                                      ? Contributions::ChosenNodes::last_end
+                                      : Contributions::ChosenNodes::first_end;
             if (matrix)
-              support->matrix_sides = {"xy"[along] + side};
+              support->matrix_sides = {
+                static_cast<Contributions::MatrixSide>(2 * along + upper)};
             support->displacement = {{displacements[0], displacements[1], "0"}};
             if (lateral)
               {

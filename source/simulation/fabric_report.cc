@@ -85,26 +85,6 @@ namespace Heddle
 
 
 
-    Post::CrossingCount
-    FabricReport::crossings(const Textile::Weave &weave) const
-    {
-      if (yarns.empty())
-        return {};
-      std::vector<Post::OrderedFibers> pairs;
-      for (const Textile::Crossing &crossing : weave.crossings())
-        {
-          const auto &warp = yarns[crossing.warp_yarn].fibers;
-          const auto &weft = yarns[crossing.weft_yarn].fibers;
-          if (crossing.warp_on_top)
-            pairs.push_back({warp, weft});
-          else
-            pairs.push_back({weft, warp});
-        }
-      return Post::count_crossing_order(lines, pairs);
-    }
-
-
-
     std::string
     FabricReport::yarns_csv(const unsigned int n_stations) const
     {

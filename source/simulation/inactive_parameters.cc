@@ -5,7 +5,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <set>
 
 namespace Heddle
 {
@@ -13,13 +12,154 @@ namespace Heddle
   {
     namespace
     {
-      /** What is not in force unless another parameter has a certain value. */
+      /** Which values of a parameter let others be in force. */
+      struct Values
+      {
+        std::vector<std::string> values;
+        bool                     are_in_force; /**< these, or all other ones */
+      };
+
+
+
+      std::string
+      text_of(const char *const text)
+      {
+        return text;
+      }
+
+
+
+      template <typename Choice>
+      std::string
+      text_of(const Choice value)
+      {
+        return word(value);
+      }
+
+
+
+      template <typename... Value>
+      Values
+      is(const Value... value)
+      {
+        return {{text_of(value)...}, true};
+      }
+
+
+
+      template <typename... Value>
+      Values
+      is_not(const Value... value)
+      {
+        return {{text_of(value)...}, false};
+      }
+
+
+
+      /** What is in force only if another parameter is what it says. In the
+       * name of a section # stands for each number. */
+      struct Rule
+      {
+        std::vector<std::string> paths; /**< parameters, or all of sections */
+        std::string              depends_on;
+        Values                   needed;
+      };
+
+
+
+      /** As the parameters' documentation says; the first that fails counts. */
+      const std::vector<Rule> rules = {
+        {{"Weave"}, "Run/Scene", is(SceneKind::weave)},
+        {{"Initial configuration"},
+         "Run/Scene",
+         is_not(SceneKind::centerlines)},
+        {{"Initial configuration"}, "Restart/Initial configuration", is("")},
+        {{"Centerlines"}, "Run/Scene", is_not(SceneKind::weave)},
+        {{"Centerlines/Axial strain"},
+         "Centerlines/Straight when free",
+         is("true")},
+        {{"Weave/Crimp factor", "Weave/Crimp transition"},
+         "Weave/Start",
+         is(Textile::Start::crimped)},
+        {{"Weave/Weft yarns"},
+         "Weave/Weft yarns/Same as warp yarns",
+         is("false")},
+        {{"Weave/Warp yarns/Packing seed"},
+         "Weave/Warp yarns/Packing perturbation",
+         is_not("0")},
+        {{"Weave/Weft yarns/Packing seed"},
+         "Weave/Weft yarns/Packing perturbation",
+         is_not("0")},
+        {{"Fiber/Elements per fiber"}, "Run/Scene", is(SceneKind::weave)},
+        {{"Contact", "Newton/Damping"}, "Contact/Enabled", is("true")},
+        {{"Initial configuration/Ordering"},
+         "Weave/Start",
+         is(Textile::Start::interpenetrating)},
+        {{"Matrix", "Output/Matrix"}, "Matrix/Enabled", is("true")},
+        {{"Output/Subdivisions"}, "Output/Fibers", is("true")},
+        {{"Output/Centerlines"}, "Output/Interval", is_not("0")},
+        {{"Output/Checkpoints kept"},
+         "Output/Checkpoint interval",
+         is_not("0")},
+        {{"Matrix/Overlap depth"},
+         "Matrix/Leave out cells inside yarns",
+         is("true")},
+        {{"Matrix/Lower corner", "Matrix/Upper corner"},
+         "Matrix/Shape",
+         is(Textile::MatrixShape::block)},
+        {{"Fabric loading"}, "Fabric loading/Kind", is_not(FabricTest::none)},
+        {{"Fabric loading/Strain"},
+         "Fabric loading/Kind",
+         is(FabricTest::biaxial_tension, FabricTest::uniaxial_tension)},
+        {{"Fabric loading/Strain ratios"},
+         "Fabric loading/Kind",
+         is(FabricTest::biaxial_tension)},
+        {{"Fabric loading/Direction", "Fabric loading/Sides"},
+         "Fabric loading/Kind",
+         is(FabricTest::uniaxial_tension)},
+        {{"Fabric loading/Shear angles"},
+         "Fabric loading/Kind",
+         is(FabricTest::picture_frame, FabricTest::simple_shear)},
+        {{"Fabric loading/Ramp"},
+         "Fabric loading/Kind",
+         is_not(FabricTest::held)},
+        {{"Linear solver/Tolerance", "Linear solver/Maximum iterations"},
+         "Linear solver/Kind",
+         is_not(Solver::LinearSolverKind::direct)},
+        {{"Linear solver/Direct below",
+          "Linear solver/Direct below in a matrix",
+          "Linear solver/Direct below with contact"},
+         "Linear solver/Kind",
+         is(Solver::LinearSolverKind::automatic)},
+        {{"Fiber/Degree",
+          "Fiber/Shear modulus",
+          "Fiber/Torsional stiffness",
+          "Fiber/Shear stiffness",
+          "Fiber/Section stiffness",
+          "Fiber/Material #/Shear modulus",
+          "Fiber/Material #/Torsional stiffness",
+          "Fiber/Material #/Shear stiffness",
+          "Fiber/Material #/Section stiffness"},
+         "Fiber/Element",
+         is(Beam::ElementKind::director)},
+        {{"Supports/Support #/Point", "Supports/Support #/Distance"},
+         "Supports/Support #/Nodes",
+         is(Contributions::ChosenNodes::near_point)},
+        {{"Supports/Support #/Turn angle", "Supports/Support #/Turn axis"},
+         "Supports/Support #/Section",
+         is(Contributions::SupportedSection::turned)},
+        {{"Loads/Load #/Point", "Loads/Load #/Distance"},
+         "Loads/Load #/Nodes",
+         is(Contributions::ChosenNodes::near_point)}};
+
+
+
+      /** The same of one parameter or section. */
       struct Condition
       {
-        std::string              path; /**< a parameter, or all of a section */
-        std::string              depends_on;
-        std::vector<std::string> values;            /**< any of these, or ... */
-        bool                     but_these = false; /**< ... any other one */
+        std::string path;
+        std::string depends_on;
+        Values      needed;
       };
 
 
@@ -36,161 +176,96 @@ namespace Heddle
 
 
 
-      /** Of the numbered sections of supports or of loads. */
-      void
-      add_numbered(const ParameterFile    &file,
-                   const std::string      &list,
-                   const std::string      &name,
-                   std::vector<Condition> &conditions)
+      bool
+      is_met(const Condition &condition)
       {
-        const unsigned int n = file.count_sections(list, name);
+        const std::string value  = value_of(condition.depends_on);
+        const auto       &values = condition.needed.values;
+        const bool        listed = std::any_of(
+          values.begin(), values.end(), [&value](const std::string &one) {
+            return same_value(one, value);
+          });
+        return listed == condition.needed.are_in_force;
+      }
+
+
+
+      /** Add the condition, for each section of @p file that # stands for. */
+      void
+      add_conditions(const ParameterFile    &file,
+                     const Condition        &condition,
+                     std::vector<Condition> &conditions)
+      {
+        const auto place = condition.path.find('#');
+        if (place == std::string::npos)
+          {
+            conditions.push_back(condition);
+            return;
+          }
+        const auto         slash = condition.path.find('/');
+        const unsigned int n     = file.count_sections(
+          condition.path.substr(0, slash),
+          condition.path.substr(slash + 1, place - slash - 2));
         for (unsigned int i = 1; i <= n; ++i)
           {
-            const std::string one =
-              list + "/" + name + " " + std::to_string(i) + "/";
-            for (const std::string entry : {"Point", "Distance"})
-              conditions.push_back(
-                {one + entry,
-                 one + "Nodes",
-                 {word(Contributions::ChosenNodes::near_point)}});
-            if (name == "Support")
-              for (const std::string entry : {"Turn angle", "Turn axis"})
-                conditions.push_back(
-                  {one + entry,
-                   one + "Section",
-                   {word(Contributions::SupportedSection::turned)}});
+            const auto numbered = [i](const std::string &path) {
+              return Utilities::replace_in_string(path, "#", std::to_string(i));
+            };
+            conditions.push_back({numbered(condition.path),
+                                  numbered(condition.depends_on),
+                                  condition.needed});
           }
       }
 
 
 
-      /** As the parameters' documentation says; the first that fails counts. */
       std::vector<Condition>
       all_conditions(const ParameterFile &file)
       {
-        std::vector<Condition> conditions = {
-          {"Weave", "Run/Scene", {word(SceneKind::weave)}},
-          {"Initial configuration",
-           "Run/Scene",
-           {word(SceneKind::centerlines)},
-           true},
-          {"Initial configuration", "Restart/Initial configuration", {""}},
-          {"Centerlines", "Run/Scene", {word(SceneKind::weave)}, true},
-          {"Centerlines/Axial strain",
-           "Centerlines/Straight when free",
-           {"true"}},
-          {"Weave/Crimp factor",
-           "Weave/Start",
-           {word(Textile::Start::crimped)}},
-          {"Weave/Crimp transition",
-           "Weave/Start",
-           {word(Textile::Start::crimped)}},
-          {"Weave/Weft yarns",
-           "Weave/Weft yarns/Same as warp yarns",
-           {"false"}},
-          {"Weave/Warp yarns/Packing seed",
-           "Weave/Warp yarns/Packing perturbation",
-           {"0"},
-           /*but_these=*/true},
-          {"Weave/Weft yarns/Packing seed",
-           "Weave/Weft yarns/Packing perturbation",
-           {"0"},
-           true},
-          {"Fiber/Elements per fiber", "Run/Scene", {word(SceneKind::weave)}},
-          {"Contact", "Contact/Enabled", {"true"}},
-          {"Newton/Damping", "Contact/Enabled", {"true"}},
-          {"Initial configuration/Ordering",
-           "Weave/Start",
-           {word(Textile::Start::interpenetrating)}},
-          {"Matrix", "Matrix/Enabled", {"true"}},
-          {"Output/Matrix", "Matrix/Enabled", {"true"}},
-          {"Output/Subdivisions", "Output/Fibers", {"true"}},
-          {"Output/Centerlines", "Output/Interval", {"0"}, true},
-          {"Output/Checkpoints kept",
-           "Output/Checkpoint interval",
-           {"0"},
-           true},
-          {"Matrix/Overlap depth",
-           "Matrix/Leave out cells inside yarns",
-           {"true"}},
-          {"Matrix/Lower corner",
-           "Matrix/Shape",
-           {word(Textile::MatrixShape::block)}},
-          {"Matrix/Upper corner",
-           "Matrix/Shape",
-           {word(Textile::MatrixShape::block)}},
-          {"Fabric loading",
-           "Fabric loading/Kind",
-           {word(FabricTest::none)},
-           true},
-          {"Fabric loading/Strain",
-           "Fabric loading/Kind",
-           {word(FabricTest::biaxial_tension),
-            word(FabricTest::uniaxial_tension)}},
-          {"Fabric loading/Strain ratios",
-           "Fabric loading/Kind",
-           {word(FabricTest::biaxial_tension)}},
-          {"Fabric loading/Direction",
-           "Fabric loading/Kind",
-           {word(FabricTest::uniaxial_tension)}},
-          {"Fabric loading/Sides",
-           "Fabric loading/Kind",
-           {word(FabricTest::uniaxial_tension)}},
-          {"Fabric loading/Shear angles",
-           "Fabric loading/Kind",
-           {word(FabricTest::picture_frame), word(FabricTest::simple_shear)}},
-          {"Fabric loading/Ramp",
-           "Fabric loading/Kind",
-           {word(FabricTest::none), word(FabricTest::held)},
-           true},
-          {"Linear solver/Tolerance",
-           "Linear solver/Kind",
-           {word(Solver::LinearSolverKind::direct)},
-           true},
-          {"Linear solver/Maximum iterations",
-           "Linear solver/Kind",
-           {word(Solver::LinearSolverKind::direct)},
-           true},
-          {"Linear solver/Direct below",
-           "Linear solver/Kind",
-           {word(Solver::LinearSolverKind::automatic)}},
-          {"Linear solver/Direct below in a matrix",
-           "Linear solver/Kind",
-           {word(Solver::LinearSolverKind::automatic)}},
-          {"Linear solver/Direct below with contact",
-           "Linear solver/Kind",
-           {word(Solver::LinearSolverKind::automatic)}}};
-        conditions.push_back({"Fiber/Degree",
-                              "Fiber/Element",
-                              {word(Beam::ElementKind::director)}});
-        std::vector<std::string> materials = {"Fiber/"};
-        const unsigned int       n_materials =
-          file.count_sections("Fiber", "Material");
-        for (unsigned int i = 1; i <= n_materials; ++i)
-          materials.push_back("Fiber/Material " + std::to_string(i) + "/");
-        for (const std::string &material : materials)
-          for (const std::string entry : {"Shear modulus",
-                                          "Torsional stiffness",
-                                          "Shear stiffness",
-                                          "Section stiffness"})
-            conditions.push_back({material + entry,
-                                  "Fiber/Element",
-                                  {word(Beam::ElementKind::director)}});
+        std::vector<Condition> conditions;
+        for (const Rule &rule : rules)
+          for (const std::string &path : rule.paths)
+            add_conditions(
+              file, {path, rule.depends_on, rule.needed}, conditions);
         if (value_of("Contact/Friction of sets").empty())
           for (const std::string path : {"Contact/Friction of crossed fibers",
                                          "Contact/Reversible displacement",
                                          "Initial configuration/Friction"})
             conditions.push_back(
-              {path, "Contact/Friction coefficient", {"0"}, true});
+              {path, "Contact/Friction coefficient", is_not("0")});
         if (file.count_sections("Supports", "Support") == 0 &&
             file.count_sections("Loads", "Load") == 0)
-          conditions.push_back({"Load stepping",
-                                "Fabric loading/Kind",
-                                {word(FabricTest::none)},
-                                true});
-        add_numbered(file, "Supports", "Support", conditions);
-        add_numbered(file, "Loads", "Load", conditions);
+          conditions.push_back(
+            {"Load stepping", "Fabric loading/Kind", is_not(FabricTest::none)});
         return conditions;
+      }
+
+
+
+      /** Whether the parameter @p path is what the condition is for. */
+      bool
+      is_about(const Condition &condition, const std::string &path)
+      {
+        const std::string section = condition.path + "/";
+        return path == condition.path ||
+               path.compare(0, section.size(), section) == 0;
+      }
+
+
+
+      /** "small.prm:9 and 1 other set what has no effect, for ..." */
+      std::string
+      sentence(const std::string &where,
+               const unsigned int n_more,
+               const Condition   &condition)
+      {
+        return where +
+               (n_more == 0
+                  ? " sets "
+                  : " and " + std::to_string(n_more) +
+                      (n_more == 1 ? " other" : " others") + " set ") +
+               "what has no effect, for " + condition.depends_on + " is " +
+               value_of(condition.depends_on);
       }
     } // namespace
 
@@ -201,43 +276,20 @@ namespace Heddle
     {
       std::vector<ParameterFile::Entry> entries =
         file.unusual(ParameterAcceptor::prm);
-      std::set<std::string> paths;
-      for (const ParameterFile::Entry &entry : entries)
-        paths.insert(entry.path);
       std::vector<std::string> sentences;
       for (const Condition &condition : all_conditions(file))
         {
-          // Most are about what no file sets.
-          const auto first = paths.lower_bound(condition.path);
-          if (first == paths.end() ||
-              first->compare(0, condition.path.size(), condition.path) != 0)
+          if (is_met(condition))
             continue;
-          const std::string value  = value_of(condition.depends_on);
-          const bool        listed = std::any_of(condition.values.begin(),
-                                          condition.values.end(),
-                                          [&value](const std::string &one) {
-                                            return same_value(one, value);
-                                          });
-          if (listed != condition.but_these)
-            continue;
-
           const auto idle = std::stable_partition(
             entries.begin(), entries.end(), [&](const auto &entry) {
-              const bool within = entry.path == condition.path ||
-                                  entry.path.compare(0,
-                                                     condition.path.size() + 1,
-                                                     condition.path + "/") == 0;
-              return !within || entry.path == condition.depends_on;
+              return !is_about(condition, entry.path) ||
+                     entry.path == condition.depends_on;
             });
           if (idle == entries.end())
             continue;
-          const auto more = entries.end() - idle - 1;
           sentences.push_back(
-            idle->where +
-            (more == 0 ? " sets "
-                       : " and " + std::to_string(more) +
-                           (more == 1 ? " other" : " others") + " set ") +
-            "what has no effect, for " + condition.depends_on + " is " + value);
+            sentence(idle->where, entries.end() - idle - 1, condition));
           entries.erase(idle, entries.end());
         }
       return sentences;

@@ -163,7 +163,7 @@ namespace Heddle
            << counted.n_left_out << " cells inside yarns are left out, "
            << counted.n_dropped << " that nothing holds; volume "
            << std::setprecision(4) << counted.volume << " mm^3, of which "
-           << counted.doubled << " is also fibers";
+           << counted.doubled_volume << " is also fibers";
       if (parameters.subtract_fiber_volume)
         text << ", and " << counted.subtracted << " is subtracted";
       if (counted.unlinked > much_unlinked)
@@ -178,6 +178,34 @@ namespace Heddle
              << " fibers lie wholly outside of the matrix, which does not feel "
                 "them";
       return text.str();
+    }
+
+
+
+    std::string
+    Matrix::turned_in_words(const System::State &state) const
+    {
+      // Turned by an angle, material seems strained by half of its square.
+      constexpr double large = 0.15, much = 0.05;
+      const auto       turns = matrix_elasticity->turns(state, large);
+      if (turns.part < much)
+        return "";
+      std::ostringstream text;
+      text << std::setprecision(2) << "Matrix/Law is linear, which takes turns "
+           << "for strains: " << std::lround(100. * turns.part)
+           << " % of the matrix has turned by more than " << large
+           << " rad, up to " << turns.largest << "; another law is right there";
+      return text.str();
+    }
+
+
+
+    IO::MatrixSummary
+    Matrix::summary() const
+    {
+      IO::MatrixSummary told = counted;
+      told.n_assemblies      = matrix_elasticity->n_assemblies();
+      return told;
     }
 
 
@@ -386,7 +414,8 @@ namespace Heddle
     Matrix::find_doubled_parts()
     {
       std::vector<double> volumes = Textile::fiber_volumes(*mesh, axes);
-      counted.doubled = std::accumulate(volumes.begin(), volumes.end(), 0.);
+      counted.doubled_volume =
+        std::accumulate(volumes.begin(), volumes.end(), 0.);
       for (unsigned int c = 0; c < volumes.size(); ++c)
         volumes[c] /= mesh->volume(c);
       return volumes;

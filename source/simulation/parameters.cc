@@ -43,6 +43,19 @@ namespace Heddle
                 ": Restart/Initial configuration is given, but Run/Scene is "
                 "\"centerlines\": only a weave and a measured fabric have an "
                 "initial configuration.");
+      check_fabric_loading(file);
+      check_restart(file);
+      check_matrix(file);
+      require(are_held() || loads.empty(),
+              file.name() + ": nothing holds the fibers against the loads; "
+                            "declare a section \"Supports/Support 1\".");
+    }
+
+
+
+    void
+    Parameters::check_fabric_loading(const ParameterFile &file) const
+    {
       require(run.is_fabric() || !fabric_loading.is_active(),
               file.name() +
                 ": Fabric loading/Kind is given, but Run/Scene is "
@@ -63,6 +76,13 @@ namespace Heddle
           "between these sides from being drawn out; set "
           "\"Contact/Friction coefficient\", enable the matrix, or set "
           "\"Sides\" to \"held\".");
+    }
+
+
+
+    void
+    Parameters::check_restart(const ParameterFile &file) const
+    {
       require(are_held() || restart.initial_configuration.empty(),
               file.name() +
                 ": Restart/Initial configuration is given, but nothing holds "
@@ -77,6 +97,13 @@ namespace Heddle
                 "\", which knows no torsion: a curved fiber that is free of "
                 "stress would turn in its place without resistance; choose "
                 "\"director\".");
+    }
+
+
+
+    void
+    Parameters::check_matrix(const ParameterFile &file) const
+    {
       require(are_held() || !matrix.enabled,
               file.name() +
                 ": Matrix/Enabled is true, but nothing holds fibers or matrix, "
@@ -104,9 +131,6 @@ namespace Heddle
                 support->entry("Matrix sides") +
                   " names sides, but Matrix/Enabled is false: leave them out, "
                   "or enable the matrix.");
-      require(are_held() || loads.empty(),
-              file.name() + ": nothing holds the fibers against the loads; "
-                            "declare a section \"Supports/Support 1\".");
     }
 
 

@@ -1,5 +1,6 @@
 #include <heddle/base/file.h>
 #include <heddle/base/settings.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/base/version.h>
 #include <heddle/io/collection.h>
 #include <heddle/post/centerline.h>
@@ -49,6 +50,18 @@ namespace Heddle
 
 
 
+      /** The file that @p path is, or that is in this folder. */
+      std::string
+      configuration_file(const std::string &path)
+      {
+        std::error_code none_there;
+        return std::filesystem::is_directory(path, none_there)
+                 ? path + "/" + Recorder::initial_configuration
+                 : path;
+      }
+
+
+
       /** What version_text() says, by library. */
       std::map<std::string, std::string>
       versions()
@@ -76,6 +89,11 @@ namespace Heddle
       , file(file)
       , directory(directory)
       , in_force(settings_text(ParameterAcceptor::prm))
+      , given_configuration(ask_first_rank(
+          [&]() {
+            return configuration_file(parameters.restart.initial_configuration);
+          },
+          scene.space().communicator()))
       , timer(timer)
       , first_rank(
           Utilities::MPI::this_mpi_process(scene.space().communicator()) == 0)
@@ -134,8 +152,6 @@ namespace Heddle
       // What is written at the end of a stage is in no checkpoint.
       if (place.stepping->finished())
         {
-          if (scene.weave())
-            count_crossings(summary.stages[place.stage]);
           measure_yarns();
           write_centerlines();
         }
@@ -148,11 +164,11 @@ namespace Heddle
     Recorder::clear_folder() const
     {
       // It may begin in an initial configuration that lies here.
-      namespace files         = std::filesystem;
-      const std::string own   = directory + "/" + initial_configuration;
-      const std::string given = configuration_file();
+      namespace files       = std::filesystem;
+      const std::string own = directory + "/" + initial_configuration;
       std::error_code   none_there;
-      if (given.empty() || !files::equivalent(own, given, none_there))
+      if (given_configuration.empty() ||
+          !files::equivalent(own, given_configuration, none_there))
         files::remove(own);
       for (const std::string name :
            {"history.csv", "yarns.csv", "orientation.csv", centerlines})
@@ -306,31 +322,20 @@ namespace Heddle
           stage.max_indentation_ratio  = deepest.ratio;
           stage.indentation_work_ratio = deepest.work_ratio();
         }
-      stage.max_bend_ratio = values["max_bend_ratio[-]"];
-      if (scene.weave())
-        count_crossings(stage);
+      stage.max_bend_ratio  = values["max_bend_ratio[-]"];
+      stage.crossings_total = place.crossings.total;
+      stage.crossings_wrong = place.crossings.wrong;
+      stage.crossings_apart = place.crossings.apart;
       if (EnergyBalance::is_in(values))
         {
           if (scene.state().load_factor == 0. ||
-              !scene.stages()[place.stage].is_loaded)
+              !scene.stages()[place.stage].is_loaded())
             balance.begin(values);
           else
             balance.add(values);
           values[energy_imbalance] = balance.imbalance();
         }
       add_to_history(place, result, values);
-    }
-
-
-
-    void
-    Recorder::count_crossings(IO::StageSummary &stage) const
-    {
-      const auto crossings =
-        FabricReport(scene.state()).crossings(*scene.weave());
-      stage.crossings_total = crossings.total;
-      stage.crossings_wrong = crossings.wrong;
-      stage.crossings_apart = crossings.apart;
     }
 
 
@@ -492,12 +497,7 @@ namespace Heddle
       // A matrix is there when a stage with loads has begun.
       summary.n_dofs = scene.state().n_dofs();
       if (const Matrix *matrix = scene.matrix())
-        summary.matrix = {matrix->sizes().n_cells,
-                          matrix->sizes().n_nodes,
-                          matrix->sizes().n_links,
-                          matrix->elasticity()->n_assemblies(),
-                          matrix->sizes().volume,
-                          matrix->sizes().doubled};
+        summary.matrix = matrix->summary();
       if (first_rank)
         summary.write(directory);
     }

@@ -1,6 +1,7 @@
 #include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/settings.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
 
@@ -136,7 +137,7 @@ namespace Heddle
               (i < stages.size() ? "\"" + stages[i].name + "\"" : "has none") +
               ": resume it with the parameters of its run.");
         require(!parameters.matrix.enabled || scene.matrix() ||
-                  !stages[place.stage].is_loaded,
+                  !stages[place.stage].is_loaded(),
                 where + " is of fibers that are loaded without a matrix: set "
                         "Matrix/Enabled to false.");
         place.stepping = stepping[place.stage].get();
@@ -158,22 +159,17 @@ namespace Heddle
 
 
 
-    std::string
-    Recorder::configuration_file() const
-    {
-      const std::string &path = parameters.restart.initial_configuration;
-      return std::filesystem::is_directory(path)
-               ? path + "/" + initial_configuration
-               : path;
-    }
-
-
-
     void
     Recorder::read_initial_configuration(Log &log)
     {
-      const std::string file = configuration_file();
-      require(std::filesystem::exists(file),
+      const std::string &file     = given_configuration;
+      const bool         is_there = ask_first_rank(
+        [&file]() {
+          std::error_code unreachable;
+          return std::filesystem::exists(file, unreachable);
+        },
+        scene.space().communicator());
+      require(is_there,
               "Restart/Initial configuration: there is no file \"" + file +
                 "\"; name the folder of a run that has computed one.");
       const std::string settings = read_initial_configuration(file);
@@ -187,9 +183,10 @@ namespace Heddle
                 << " when fibers settled: their places and strains stay as "
                    "they were"
                 << std::endl;
-      std::string wrong = scene.wrong_crossings();
+      const Post::CrossingCount crossings = scene.count_crossings();
+      std::string               wrong     = crossings.wrong_in_words();
       if (wrong.empty())
-        wrong = scene.lost_crossings();
+        wrong = crossings.apart_in_words();
       require(wrong.empty(),
               "Restart/Initial configuration: in \"" + file + "\" " + wrong +
                 "; it is of another weave, or of a run that ended so.");
@@ -203,16 +200,16 @@ namespace Heddle
       const auto position = checkpoint.read(
         file, scene.state(), [this](const ArchiveReader &archive) {
           for (const Stage &stage : scene.stages())
-            if (stage.is_loaded)
+            if (stage.is_loaded())
               for (const auto &contribution : stage.contributions)
                 contribution->load_initial(archive, scene.state());
         });
+      const std::string needed = word(StageKind::settle);
       require(
-        position.stage == "settle" && scene.state().load_factor == 1.,
+        position.stage == needed && scene.state().load_factor == 1.,
         "Restart/Initial configuration: \"" + file + "\" is of the stage \"" +
-          position.stage +
-          "\", and not the end of the stage \"settle\"; name the file \"" +
-          initial_configuration + "\" of its run.");
+          position.stage + "\", and not the end of the stage \"" + needed +
+          "\"; name the file \"" + initial_configuration + "\" of its run.");
       scene.state().step        = 0;
       scene.state().load_factor = 0.;
       return position.settings;
@@ -223,9 +220,9 @@ namespace Heddle
     void
     Recorder::return_to_initial_configuration()
     {
-      const std::string given = configuration_file();
-      read_initial_configuration(
-        given.empty() ? directory + "/" + initial_configuration : given);
+      read_initial_configuration(given_configuration.empty()
+                                   ? directory + "/" + initial_configuration
+                                   : given_configuration);
     }
 
 

@@ -8,6 +8,7 @@
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
+#include <heddle/simulation/scene_notes.h>
 #include <heddle/simulation/yarn_guides.h>
 #include <heddle/textile/check_paths.h>
 
@@ -25,16 +26,27 @@ namespace Heddle
     {
       /** Of a fiber; more are a slip of the finger. */
       constexpr unsigned int most_elements = 1000000;
+
+      /** Where fibers have settled otherwise than the pattern wants. */
+      const char *const what_helps_crossings =
+        "; start with more crimp (Weave/Crimp factor), or interpenetrating "
+        "with "
+        "more ordering steps, and see to it that yarns do not slip off the "
+        "ends "
+        "of others (Weave/End length, Initial configuration/Axial tension) and "
+        "that elements are short where fibers bend (Fiber/Elements per fiber)";
     } // namespace
 
 
 
-    Scene::Scene(const Parameters  &parameters,
-                 const std::string &parameter_file,
-                 const MPI_Comm     communicator)
+    Scene::Scene(const Parameters       &parameters,
+                 const std::string      &parameter_file,
+                 const MPI_Comm          communicator,
+                 const OwnContributions &make_own)
       : parameters(parameters)
+      , make_own(make_own)
     {
-      make_paths(parameter_file);
+      make_paths(parameter_file, communicator);
       Textile::check_paths(paths);
       fiber_space     = make_space(paths, parameters.fiber, communicator);
       fiber_densities = densities_of(*fiber_space, paths, parameters.fiber);
@@ -56,9 +68,9 @@ namespace Heddle
         add_load_cases();
       else if (!parameters.supports.empty())
         {
-          supports = std::make_shared<Contributions::Supports>(
+          held_by = std::make_shared<Contributions::Supports>(
             *fiber_space, initial_blocks, parameters.supports);
-          add_load_stage("load", supports);
+          add_load_stage(word(StageKind::load), held_by);
         }
     }
 
@@ -69,7 +81,8 @@ namespace Heddle
 
 
     void
-    Scene::make_paths(const std::string &parameter_file)
+    Scene::make_paths(const std::string &parameter_file,
+                      const MPI_Comm     communicator)
     {
       const unsigned int n_nodes = parameters.fiber.element()->n_nodes();
       if (!parameters.run.is_from_file())
@@ -87,11 +100,53 @@ namespace Heddle
         {
           const std::string file =
             relative_to(parameter_file, parameters.centerlines.file);
-          paths =
-            Textile::read_paths(file, parameters.centerlines.reading(n_nodes));
+          paths = Textile::read_paths(
+            file, parameters.centerlines.reading(n_nodes), communicator);
           if (is_fabric())
             measured = std::make_unique<Textile::MeasuredFabric>(paths, file);
         }
+    }
+
+
+
+    void
+    Scene::check_start() const
+    {
+      const auto weave = parameters.weave.description();
+      if (!woven || weave.start != Textile::Start::crimped ||
+          weave.crimp_factor > 0.)
+        return;
+
+      // The yarns are laid out so that all fibers are on their side: elements
+      // that are too long for them follow them only so far.
+      const std::string wrong = count_crossings().wrong_in_words();
+      require(wrong.empty(),
+              "Fiber/Elements per fiber: at the start " + wrong + ", since " +
+                std::to_string(parameters.fiber.elements_per_fiber) +
+                " elements are too few for the bends of a fiber; give more.");
+    }
+
+
+
+    Post::CrossingCount
+    Scene::count_crossings() const
+    {
+      if (!woven)
+        return {};
+      std::vector<std::vector<unsigned int>> yarns(fiber_space->n_yarns());
+      for (unsigned int f = 0; f < fiber_space->n_fibers(); ++f)
+        yarns[fiber_space->fiber(f).yarn_id].push_back(f);
+      std::vector<Post::OrderedFibers> pairs;
+      for (const Textile::Crossing &crossing : woven->crossings())
+        {
+          const auto &warp = yarns[crossing.warp_yarn];
+          const auto &weft = yarns[crossing.weft_yarn];
+          if (crossing.warp_on_top)
+            pairs.push_back({warp, weft});
+          else
+            pairs.push_back({weft, warp});
+        }
+      return Post::count_crossing_order(*configuration, pairs);
     }
 
 
@@ -142,8 +197,7 @@ namespace Heddle
         std::make_shared<Contributions::CrossingEnforcement>(*fiber_space,
                                                              yarns);
 
-      Stage stage;
-      stage.name          = "order";
+      Stage stage(StageKind::order);
       stage.contributions = {fiber_elasticity, guides};
       add_section_damping(stage, /*with_friction=*/false);
       stage.contributions.push_back(fiber_contact);
@@ -197,62 +251,60 @@ namespace Heddle
     void
     Scene::add_settle_stages()
     {
-      Stage stage;
-      stage.name          = "settle";
+      // The load factor k/n stands for the k-th of n thresholds.
+      const std::vector<double> thresholds =
+        parameters.settle.thresholds(parameters.contact.threshold);
+      // Friction begins where the fibers have come to lie: it holds them there,
+      // and is not what remains of their way.
+      const bool with_friction = fiber_friction && parameters.settle.friction;
+      if (with_friction)
+        add_approach_stage(thresholds.front());
+
+      Stage stage(StageKind::settle);
       stage.contributions = {fiber_elasticity, guides};
       if (fiber_contact)
         {
-          // The load factor k/n stands for the k-th of n thresholds.
-          const std::vector<double> thresholds =
-            parameters.settle.thresholds(parameters.contact.threshold);
           const double n           = thresholds.size();
           stage.plan.initial_step  = 1. / n;
           stage.plan.largest_step  = 1. / n;
           stage.plan.smallest_step = 1. / n;
-          const auto contact       = fiber_contact;
-          stage.set_up             = [=](const double load_factor) {
+          stage.set_up             = [        =,
+                          contact = fiber_contact](const double load_factor) {
             // A run may go on with other thresholds than it began with.
             contact->set_threshold(
               thresholds[std::max(std::lround(load_factor * n), 1l) - 1]);
           };
-
-          // Friction begins where the fibers have come to lie: it holds them
-          // there, and is not what remains of their way.
-          const bool with_friction =
-            fiber_friction && parameters.settle.friction;
-          if (with_friction)
-            {
-              Stage approach  = stage;
-              approach.name   = "approach";
-              approach.plan   = {};
-              approach.aim    = Solver::Aim::calm;
-              approach.set_up = [=](const double) {
-                contact->set_threshold(thresholds.front());
-              };
-              add_section_damping(approach, /*with_friction=*/false);
-              approach.contributions.push_back(fiber_contact);
-              all_stages.push_back(approach);
-              stage.aim = Solver::Aim::equilibrium_after_calm;
-            }
           add_section_damping(stage, with_friction);
           stage.contributions.push_back(fiber_contact);
-          if (with_friction)
-            add_friction(stage);
         }
-      stage.objection = [this]() -> std::string {
-        std::string wrong = wrong_crossings();
+      if (with_friction)
+        {
+          stage.aim = Solver::Aim::equilibrium_after_calm;
+          add_friction(stage);
+        }
+      stage.objection =
+        [](const Post::CrossingCount &crossings) -> std::string {
+        std::string wrong = crossings.wrong_in_words();
         if (wrong.empty())
-          wrong = lost_crossings();
-        return wrong.empty()
-                 ? ""
-                 : wrong +
-                     "; start with more crimp (Weave/Crimp factor), or "
-                     "interpenetrating with more ordering steps, and see "
-                     "to it that yarns do not slip off the ends of others "
-                     "(Weave/End length, Initial configuration/Axial "
-                     "tension) and that elements are short where fibers "
-                     "bend (Fiber/Elements per fiber)";
+          wrong = crossings.apart_in_words();
+        return wrong.empty() ? "" : wrong + what_helps_crossings;
       };
+      all_stages.push_back(stage);
+    }
+
+
+
+    void
+    Scene::add_approach_stage(const double threshold)
+    {
+      Stage stage(StageKind::approach);
+      stage.contributions = {fiber_elasticity, guides};
+      stage.aim           = Solver::Aim::calm;
+      stage.set_up        = [contact = fiber_contact, threshold](const double) {
+        contact->set_threshold(threshold);
+      };
+      add_section_damping(stage, /*with_friction=*/false);
+      stage.contributions.push_back(fiber_contact);
       all_stages.push_back(stage);
     }
 
@@ -296,11 +348,12 @@ namespace Heddle
     Scene::add_load_stage(const std::string                           &name,
                           const std::shared_ptr<System::Contribution> &supports)
     {
-      Stage stage;
-      stage.name          = name;
-      stage.plan          = parameters.load_stepping.plan();
-      stage.is_loaded     = true;
-      stage.objection     = [this] { return wrong_crossings(); };
+      Stage stage(StageKind::load);
+      stage.name      = name;
+      stage.plan      = parameters.load_stepping.plan();
+      stage.objection = [](const Post::CrossingCount &crossings) {
+        return crossings.wrong_in_words();
+      };
       stage.begin         = [this] { begin_loading(); };
       stage.contributions = {fiber_elasticity, supports};
       if (!parameters.loads.empty())
@@ -308,6 +361,9 @@ namespace Heddle
           *fiber_space, initial_blocks, parameters.loads));
       if (parameters.plates.are_there())
         add_plates(stage);
+      if (make_own)
+        for (const auto &own : make_own(*fiber_space, initial_blocks))
+          stage.contributions.push_back(own);
       // A matrix holds axes alone: nothing resists the spin of a straight
       // fiber.
       if (is_fabric() || parameters.matrix.enabled)
@@ -353,9 +409,9 @@ namespace Heddle
     bool
     Scene::ends_initially(const unsigned int stage) const
     {
-      return is_fabric() && !all_stages[stage].is_loaded &&
+      return is_fabric() && !all_stages[stage].is_loaded() &&
              (stage + 1 == all_stages.size() ||
-              all_stages[stage + 1].is_loaded);
+              all_stages[stage + 1].is_loaded());
     }
 
 
@@ -373,7 +429,8 @@ namespace Heddle
         }
       begins_overlapping =
         !is_fabric() && fiber_friction &&
-        !deepest_overlap(parameters.contact.threshold).empty();
+        !deepest_overlap(*this, parameters, parameters.contact.threshold)
+           .empty();
       if (parameters.matrix.enabled && !composite)
         embed();
     }
@@ -385,7 +442,7 @@ namespace Heddle
     {
       composite = std::make_unique<Matrix>(parameters.matrix, state());
       for (Stage &stage : all_stages)
-        if (stage.is_loaded)
+        if (stage.is_loaded())
           {
             stage.contributions.push_back(composite->elasticity());
             stage.contributions.push_back(composite->coupling());

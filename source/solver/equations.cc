@@ -63,6 +63,7 @@ namespace Heddle
                          SectionTimer        &timer)
       : state(state)
       , contributions(contributions)
+      , nonsmooth(nonsmooth_terms(contributions))
       , system(system)
       , communicator(state.space.communicator())
       , length_scale(state.space.smallest_radius())
@@ -86,8 +87,8 @@ namespace Heddle
     void
     Equations::update()
     {
-      for (const auto &contribution : contributions)
-        contribution->update(state);
+      for (auto *term : nonsmooth)
+        term->update(state);
       collect_constraints();
     }
 
@@ -98,12 +99,12 @@ namespace Heddle
     {
       SectionTimer::Scope scope(timer, "detection");
       update();
-      for (const auto &contribution : contributions)
-        contribution->begin_iteration(state);
+      for (auto *term : nonsmooth)
+        term->begin_iteration(state);
 
       bool stale = !system.has_pattern();
-      for (const auto &contribution : contributions)
-        stale = contribution->needs_new_pattern() || stale;
+      for (const auto *term : nonsmooth)
+        stale = term->needs_new_pattern() || stale;
       if (Utilities::MPI::max(stale ? 1 : 0, communicator) > 0)
         {
           System::BlockPattern pattern(state.n_owned_blocks(),
@@ -162,9 +163,7 @@ namespace Heddle
     bool
     Equations::is_nonsmooth() const
     {
-      return std::any_of(contributions.begin(),
-                         contributions.end(),
-                         [](const auto &one) { return one->is_nonsmooth(); });
+      return Solver::is_nonsmooth(nonsmooth);
     }
 
 
@@ -172,9 +171,9 @@ namespace Heddle
     bool
     Equations::is_credible() const
     {
-      return std::all_of(contributions.begin(),
-                         contributions.end(),
-                         [](const auto &one) { return one->is_credible(); });
+      return std::all_of(nonsmooth.begin(),
+                         nonsmooth.end(),
+                         [](const auto *one) { return one->is_credible(); });
     }
 
 
@@ -183,8 +182,8 @@ namespace Heddle
     Equations::set_softness(const double value)
     {
       softness_of_terms = value;
-      for (const auto &contribution : contributions)
-        contribution->set_softness(value);
+      for (auto *term : nonsmooth)
+        term->set_softness(value);
     }
 
 
@@ -192,8 +191,8 @@ namespace Heddle
     void
     Equations::set_geometric_stiffness(const bool wanted)
     {
-      for (const auto &contribution : contributions)
-        contribution->set_geometric_stiffness(wanted);
+      for (auto *term : nonsmooth)
+        term->set_geometric_stiffness(wanted);
     }
 
 
@@ -202,8 +201,8 @@ namespace Heddle
     Equations::adapt()
     {
       bool changed = false;
-      for (const auto &contribution : contributions)
-        changed = contribution->adapt(state) || changed;
+      for (auto *term : nonsmooth)
+        changed = term->adapt(state) || changed;
       return changed;
     }
 
@@ -237,9 +236,8 @@ namespace Heddle
     Equations::searched_step(const System::Increment &increment) const
     {
       double searched = std::numeric_limits<double>::max();
-      for (const auto &contribution : contributions)
-        searched =
-          std::min(searched, contribution->searched_step(state, increment));
+      for (const auto *term : nonsmooth)
+        searched = std::min(searched, term->searched_step(state, increment));
       return Utilities::MPI::min(searched, communicator);
     }
   } // namespace Solver

@@ -35,8 +35,8 @@ namespace Heddle
         for (Tensor<1, 3> &motion_of_block : motion)
           motion_of_block *= part;
         state.move(1., motion);
-        for (const auto &contribution : contributions)
-          contribution->update_trial(state);
+        for (auto *term : nonsmooth_terms(contributions))
+          term->update_trial(state);
         system.begin(System::BlockSystem::Want::residual);
         for (const auto &contribution : contributions)
           contribution->assemble(state, system);

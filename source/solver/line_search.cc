@@ -31,12 +31,12 @@ namespace Heddle
 
 
     LineSearch::LineSearch(System::State             &state,
-                           const Contributions       &contributions,
+                           const NonsmoothTerms      &nonsmooth_terms,
                            const System::BlockSystem &system,
                            const System::Increment   &increment,
                            const double               damping)
       : state(state)
-      , contributions(contributions)
+      , nonsmooth_terms(nonsmooth_terms)
       , increment(increment)
       , start(state.current())
     {
@@ -155,11 +155,10 @@ namespace Heddle
     LineSearch::nonsmooth_part() const
     {
       std::array<double, 2> sum = {};
-      for (const auto &contribution : contributions)
-        if (contribution->is_nonsmooth())
+      for (const auto *term : nonsmooth_terms)
+        if (term->is_nonsmooth())
           {
-            const auto part =
-              contribution->slope_and_curvature(state, increment);
+            const auto part = term->slope_and_curvature(state, increment);
             sum[0] += part.first;
             sum[1] += part.second;
           }
@@ -178,9 +177,9 @@ namespace Heddle
       for (unsigned int b = 0; b < trial.size(); ++b)
         trial[b] = factor * increment[b];
       state.move(1., trial);
-      for (const auto &contribution : contributions)
-        if (contribution->is_nonsmooth())
-          contribution->update_trial(state);
+      for (auto *term : nonsmooth_terms)
+        if (term->is_nonsmooth())
+          term->update_trial(state);
       const std::array<double, 2> nonsmooth = nonsmooth_part();
       state.set(start);
       return {factor,

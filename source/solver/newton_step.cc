@@ -230,7 +230,7 @@ namespace Heddle
         tools.damping.curvature(equations.state, of_unknowns),
         equations.communicator);
       LineSearch along(equations.state,
-                       equations.contributions,
+                       equations.nonsmooth,
                        equations.system,
                        increment,
                        held);

@@ -90,7 +90,10 @@ namespace Heddle
         double of_contact = 0., of_loads = 0.;
         for (const auto &contribution : contributions)
           {
-            double &of = contribution->is_nonsmooth() ? of_contact : of_loads;
+            const auto *const term =
+              dynamic_cast<const System::NonsmoothContribution *>(
+                contribution.get());
+            double &of = term && term->is_nonsmooth() ? of_contact : of_loads;
             of         = std::max(of, contribution->typical_force());
           }
         if (of_loads > 0.)
@@ -266,9 +269,9 @@ namespace Heddle
           text              = place_in_words(state, block, fiber, node);
           std::string begin = ", where it touches fiber ";
           if (block < state.n_owned_fiber_blocks())
-            for (const auto &contribution : contributions)
+            for (const auto *term : nonsmooth_terms(contributions))
               for (const unsigned int other :
-                   contribution->contacting_fibers(fiber, node))
+                   term->contacting_fibers(fiber, node))
                 {
                   text += begin + std::to_string(other);
                   begin = ", ";

@@ -1,6 +1,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/base/number_text.h>
+#include <heddle/base/throw_together.h>
 #include <heddle/textile/csv_table.h>
 #include <heddle/textile/parametric_curve.h>
 #include <heddle/textile/path_reader.h>
@@ -333,14 +334,20 @@ namespace Heddle
 
 
     std::vector<FiberPath>
-    read_paths(const std::string &file_name, const PathReading &reading)
+    read_paths(const std::string &file_name,
+               const PathReading &reading,
+               const MPI_Comm     communicator)
     {
-      if (!std::filesystem::exists(file_name))
-        throw InputError(file_name + ": the file cannot be opened; check its "
-                                     "name in the parameter file, from whose "
-                                     "folder it counts.");
-      std::istringstream input(read_file(file_name, "file of centerlines"));
-      return read_paths(input, file_name, reading);
+      const auto read = [&]() {
+        std::error_code unreachable;
+        if (!std::filesystem::exists(file_name, unreachable))
+          throw InputError(file_name + ": the file cannot be opened; check its "
+                                       "name in the parameter file, from whose "
+                                       "folder it counts.");
+        std::istringstream input(read_file(file_name, "file of centerlines"));
+        return read_paths(input, file_name, reading);
+      };
+      return ask_first_rank(read, communicator);
     }
   } // namespace Textile
 } // namespace Heddle

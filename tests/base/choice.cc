@@ -40,11 +40,24 @@ struct Paint : ParameterAcceptor
     enter_subsection("Border");
     Heddle::add_choice(*this, "Color", border, "Of its border [-].");
     leave_subsection();
+    Heddle::add_choices(*this, "Stripes", stripes, "Of its stripes [-].");
   }
 
-  Color color  = Color::dark_blue;
-  Color border = Color::none;
+  Color              color   = Color::dark_blue;
+  Color              border  = Color::none;
+  std::vector<Color> stripes = {Color::none};
 };
+
+
+
+std::string
+in_words(const std::vector<Color> &colors)
+{
+  std::string words;
+  for (const Color color : colors)
+    words += std::string(", stripe ") + word(color);
+  return words;
+}
 
 
 
@@ -60,17 +73,18 @@ main(int argc, char **argv)
   ParameterHandler &prm = ParameterAcceptor::prm;
   ParameterAcceptor::declare_all_parameters();
   deallog << "by default: " << word(paint.color) << ", border "
-          << word(paint.border) << std::endl;
+          << word(paint.border) << in_words(paint.stripes) << std::endl;
   std::ostringstream text;
   prm.print_parameters(text, ParameterHandler::ShortText);
   deallog << text.str() << std::endl;
 
   prm.parse_input_from_string("subsection Paint\n set Color =  red \n"
+                              " set Stripes = dark blue ,red\n"
                               " subsection Border\n set Color = dark blue\n"
                               " end\nend\n");
   ParameterAcceptor::parse_all_parameters();
   deallog << "as set: " << word(paint.color) << ", border "
-          << word(paint.border) << std::endl;
+          << word(paint.border) << in_words(paint.stripes) << std::endl;
 
   for (const std::string text : {"dark blue", " none ", "blue"})
     try

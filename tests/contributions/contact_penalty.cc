@@ -1,6 +1,6 @@
-// Penalties of contact: they are raised until fibers penetrate as little as
-// wanted, by as much as it takes but not without end, and kept while fibers
-// move.
+// Penalties of contact: the first one is that of the angle of the fibers, they
+// are raised until fibers penetrate as little as wanted, by as much as it takes
+// but not without end, and kept while fibers move.
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/contributions/nodal_springs.h>
 #include <heddle/solver/newton.h>
@@ -81,6 +81,42 @@ private:
     return scene.contact->elements().front().penalty;
   }
 };
+
+
+
+/** The first penalty of two fibers of so many elements at an angle. */
+double
+first_penalty(const double degrees, const unsigned int n_elements)
+{
+  const double       angle = degrees * numbers::PI / 180.;
+  const Tensor<1, 3> a({1., 0., 0.}), b({std::cos(angle), std::sin(angle), 0.});
+  ContactScene       scene({line(-20.7 * a, a, 40.),
+                            line(Tensor<1, 3>({0., 0., 1.98}) - 21.3 * b, b, 40.)},
+                     {n_elements, n_elements});
+  scene.forces(/*search=*/true);
+  return scene.contact->elements().front().penalty;
+}
+
+
+
+/**
+ * Over the first penalty of parallel fibers of the same elements, ten times the
+ * sine of the angle where that is more than 1, whether elements are longer than
+ * the radius or shorter.
+ */
+void
+first()
+{
+  for (const unsigned int n_elements : {8, 20, 40, 80})
+    {
+      deallog << "elements of " << 40. / n_elements << " radii:";
+      for (const double degrees : {90., 30., 10., 4.})
+        deallog << ' '
+                << first_penalty(degrees, n_elements) /
+                     first_penalty(0., n_elements);
+      deallog << " at 90, 30, 10 and 4 degrees" << std::endl;
+    }
+}
 
 
 
@@ -353,6 +389,7 @@ int
 main(int argc, char **argv)
 {
   const MPITest mpi(argc, argv);
+  run_part("First penalty", first);
   run_part("Growth", growth);
   run_part("Limit", limit);
   run_part("Energy of growth", energy_of_growth);

@@ -14,12 +14,11 @@ using Motion = std::vector<Tensor<1, 3>>;
 
 constexpr unsigned int n_intervals = 12;
 
-Heddle::Contributions::PlateParameters
+/** Plates that come nearer to each other by this formula. */
+const Heddle::Contributions::PlateParameters &
 pressed_by(const std::string &compression)
 {
-  static unsigned int                    n = 0;
-  Heddle::Contributions::PlateParameters parameters("/Plates " +
-                                                    std::to_string(++n));
+  static Heddle::Contributions::PlateParameters parameters;
   parameters.compression = compression;
   return parameters;
 }
@@ -66,8 +65,10 @@ public:
   void
   go(const double scale, const Motion &motion)
   {
+    Motion moved = start;
     for (unsigned int b = 0; b < start.size(); ++b)
-      scene.state.current()[b] = start[b] + scale * motion[b];
+      moved[b] += scale * motion[b];
+    scene.state.set(moved);
     plates.update(scene.state);
   }
 
@@ -260,7 +261,7 @@ covered()
 {
   for (const double extent : {0., 20.})
     {
-      LevelFiber   fiber({{extent, extent}});
+      LevelFiber   fiber(std::array<double, 2>{{extent, extent}});
       const double force = fiber.force(0.1);
       deallog << "extent " << extent << ": force over length " << force / 40.
               << ", distance " << fiber.reported("plate_distance[mm]")

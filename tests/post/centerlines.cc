@@ -1,9 +1,13 @@
 // What is told of the centerlines of fibers is the same on any number of ranks:
-// their points, their sharpest bend, that at a contact, and their table.
+// their points, their sharpest bend, that at a contact, how they cross, and
+// their table, which the first rank reads for all.
 #include <heddle/base/choice.h>
+#include <heddle/base/exceptions.h>
+#include <heddle/base/file.h>
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/post/bend.h>
 #include <heddle/post/centerline.h>
+#include <heddle/post/crossing_order.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/textile/csv_table.h>
 #include <heddle/textile/path_reader.h>
@@ -307,6 +311,98 @@ table()
 
 
 
+/**
+ * Four fibers along x cross four along y, which are owned by turns: all lie as
+ * they should but for one that is on the wrong side of its neighbours, and one
+ * that ends before it meets the last two. Where ranks own fibers their pairs
+ * are those that a rank finds which has all lines.
+ */
+void
+crossings()
+{
+  const auto straight = [](const Tensor<1, 3> &begin, const Tensor<1, 3> &way) {
+    Textile::FiberPath path;
+    for (unsigned int i = 0; i <= 6; ++i)
+      path.points.push_back(begin + i / 6. * way);
+    path.reference_length = way.norm();
+    path.radius           = 0.01;
+    return path;
+  };
+  std::vector<Textile::FiberPath> paths;
+  Post::OrderedFibers             pairs;
+  for (unsigned int i = 0; i < 4; ++i)
+    {
+      const double height = i == 1 ? -0.2 : 0.1, length = i == 2 ? 2. : 4.;
+      pairs.upper.push_back(paths.size());
+      paths.push_back(straight(Tensor<1, 3>({0., i + 0.5, height}),
+                               Tensor<1, 3>({length, 0., 0.})));
+      pairs.lower.push_back(paths.size());
+      paths.push_back(straight(Tensor<1, 3>({i + 0.5, 0., 0.}),
+                               Tensor<1, 3>({0., 4., -0.05})));
+    }
+  const PlacedFibers fibers(paths, Simulation::FiberParameters("/Fiber cross"));
+  const auto         print = [](const std::string         &by,
+                        const Post::CrossingCount &count) {
+    deallog << by << ": " << count.total << " pairs, " << count.wrong
+            << " wrong, " << count.apart << " apart" << std::endl;
+  };
+  const Post::CrossingCount together =
+    Post::count_crossing_order(fibers.state, {pairs});
+  print("by all ranks", together);
+  deallog << together.wrong_in_words() << std::endl
+          << together.apart_in_words() << std::endl;
+  const auto lines = Post::gather_centerlines(fibers.state, 4);
+  if (!lines.empty())
+    print("by one", Post::count_crossing_order(lines, {pairs}));
+}
+
+
+
+/**
+ * A file that only the first rank finds reaches all of them, with all that is
+ * said of a fiber; one that it does not find is refused by all.
+ */
+void
+one_reads_for_all()
+{
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const bool first = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const std::string there = "fibers.csv", not_there = "not there.csv";
+  if (first)
+    Heddle::write_file(there,
+                       "fiber,x,y,z,radius,set,yarn\n"
+                       "a,0,0,0,0.1,warp,5\na,1,0,0,0.1,warp,5\n");
+  Textile::PathReading reading;
+  reading.element_length = 0.5;
+  reading.axial_strain   = 0.25;
+  const auto paths =
+    Textile::read_paths(first ? there : not_there, reading, MPI_COMM_WORLD);
+  const bool is_right = paths.size() == 1 && paths[0].points.size() == 3 &&
+                        paths[0].points[2][0] == 1. &&
+                        std::abs(paths[0].reference_length - 0.8) < 1e-12 &&
+                        paths[0].radius == 0.1 && paths[0].set == "warp" &&
+                        paths[0].yarn_id == 0;
+  std::string said;
+  try
+    {
+      Textile::read_paths(first ? not_there : there, reading, MPI_COMM_WORLD);
+    }
+  catch (const InputError &error)
+    {
+      said = error.what();
+    }
+  const bool is_refused = said.rfind(not_there, 0) == 0;
+  deallog << "all have the fiber: "
+          << (Utilities::MPI::sum(is_right ? 1u : 0u, MPI_COMM_WORLD) ==
+              n_ranks)
+          << ", all refuse: "
+          << (Utilities::MPI::sum(is_refused ? 1u : 0u, MPI_COMM_WORLD) ==
+              n_ranks)
+          << std::endl;
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -314,5 +410,7 @@ main(int argc, char **argv)
   run_part("Points", points);
   run_part("Bends", bends);
   run_part("Bent contacts", bent_contacts);
+  run_part("Crossings", crossings);
   run_part("Table", table);
+  run_part("One reads for all", one_reads_for_all);
 }

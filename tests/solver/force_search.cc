@@ -17,7 +17,7 @@ using namespace Heddle;
 constexpr double force = 1., spring = 1.;
 
 /** What acts on block 0. The other blocks are held by springs. */
-class Push : public System::Contribution
+class Push : public System::NonsmoothContribution
 {
 public:
   std::string
@@ -26,16 +26,23 @@ public:
     return "push";
   }
 
-  void
-  add_pattern(const System::State &, System::BlockPattern &) override
-  {
-  }
-
   /** It might change the ghosts, and with them what is to be tried next. */
   void
   update(System::State &) override
   {
     deallog << " FAIL: searched anew" << std::endl;
+  }
+
+  void
+  update_trial(System::State &) override
+  {
+  }
+
+  std::pair<double, double>
+  slope_and_curvature(const System::State &,
+                      const System::Increment &) const override
+  {
+    return {0., 0.};
   }
 
   void

@@ -32,11 +32,6 @@ public:
   }
 
   void
-  add_pattern(const System::State &, System::BlockPattern &) override
-  {
-  }
-
-  void
   assemble(const System::State &state, System::BlockSystem &system) override
   {
     for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)
@@ -79,7 +74,7 @@ private:
 
 
 /** Presses block 0 back, the more the further it comes. */
-class Walls : public System::Contribution
+class Walls : public System::NonsmoothContribution
 {
 public:
   std::string
@@ -88,21 +83,15 @@ public:
     return "walls";
   }
 
-  bool
-  is_nonsmooth() const override
+  void
+  update(System::State &) override
   {
-    return true;
   }
 
   void
   update_trial(System::State &) override
   {
     ++n_places;
-  }
-
-  void
-  add_pattern(const System::State &, System::BlockPattern &) override
-  {
   }
 
   void
@@ -203,7 +192,8 @@ examine_raised(System::State &state, const double pending)
   VecAssemblyEnd(system.solution());
   System::Increment increment;
   system.extract_increment(increment);
-  Solver::LineSearch along(state, contributions, system, increment, 0.);
+  const auto         terms = Solver::nonsmooth_terms(contributions);
+  Solver::LineSearch along(state, terms, system, increment, 0.);
   deallog << "prescribed, over what forces do: " << pending * stiffness / force
           << ", driven by forces: "
           << Solver::LineSearch::driven_by_forces(system, increment)
@@ -256,8 +246,9 @@ main(int argc, char **argv)
       walls->walls.clear();
       for (unsigned int i = 0; i < n; ++i)
         walls->walls.emplace_back(end * random(generator), hard / n);
-      walls->n_places = 0;
-      Solver::LineSearch along(state, contributions, system, increment, 0.);
+      walls->n_places          = 0;
+      const auto         terms = Solver::nonsmooth_terms(contributions);
+      Solver::LineSearch along(state, terms, system, increment, 0.);
       const double       step = along.best_step(/*longest=*/1.);
       n_steep += std::abs(slope(*walls, step)) > flat ? 1 : 0;
       by_search += walls->n_places;

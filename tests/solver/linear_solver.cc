@@ -129,12 +129,12 @@ public:
     linear.tolerance  = 1e-10;
     auto &foot        = add_support();
     foot.nodes.nodes  = Heddle::Contributions::ChosenNodes::first_end;
-    foot.matrix_sides = {"x-"};
+    foot.matrix_sides = {Heddle::Contributions::MatrixSide::lower_x};
     foot.displacement = {{"0", "0", "0"}};
     foot.section      = Heddle::Contributions::SupportedSection::held;
     auto &pull        = add_support();
     pull.nodes.fibers = "none";
-    pull.matrix_sides = {"x+"};
+    pull.matrix_sides = {Heddle::Contributions::MatrixSide::upper_x};
     pull.displacement = {{"0.2", "0.1", "0.05"}};
 
     std::vector<Textile::FiberPath> paths;

@@ -10,6 +10,7 @@
 #include <heddle/contributions/fiber_friction.h>
 #include <heddle/solver/linear_solver.h>
 #include <heddle/solver/tangent_operator.h>
+#include <heddle/solver/terms.h>
 
 #include "../contributions/scene.h"
 
@@ -102,8 +103,8 @@ public:
     motion.resize(state->n_local_blocks());
     state->update_ghosts(motion);
     state->move(1., motion);
-    for (const auto &contribution : contributions)
-      contribution->update(*state);
+    for (auto *term : Solver::nonsmooth_terms(contributions))
+      term->update(*state);
   }
 
   std::unique_ptr<System::BlockSystem>
@@ -132,7 +133,7 @@ public:
   }
 
   bool
-  needs_new_pattern(const System::Contribution &contribution) const
+  needs_new_pattern(const System::NonsmoothContribution &contribution) const
   {
     return Utilities::MPI::max(contribution.needs_new_pattern() ? 1 : 0,
                                MPI_COMM_WORLD) > 0;

@@ -204,7 +204,8 @@ no_files_of_fibers()
   refuse_file(head + "1,0,0,0\n1,1,0,0\n", 0.1, 1., 0.);
   try
     {
-      read_paths("no such file.csv", PathReading{1., 1, 0.1, 1., {}});
+      read_paths(
+        "no such file.csv", PathReading{1., 1, 0.1, 1., {}}, MPI_COMM_WORLD);
     }
   catch (const Heddle::InputError &error)
     {
@@ -363,9 +364,9 @@ fabrics()
 
 
 int
-main()
+main(int argc, char **argv)
 {
-  initlog();
+  const MPITest mpi(argc, argv);
   run_part("Interpolation", interpolations);
   run_part("Reading", reading);
   run_part("Dialects", dialects);

@@ -1,6 +1,7 @@
 #ifndef heddle_tests_verification_composite_h
 #define heddle_tests_verification_composite_h
 
+#include <heddle/base/choice.h>
 #include <heddle/simulation/matrix.h>
 
 #include "../contributions/scene.h"
@@ -44,7 +45,8 @@ public:
   {
     auto &support        = add_support();
     support.nodes.fibers = "none";
-    support.matrix_sides = sides;
+    for (const std::string &side : sides)
+      support.matrix_sides.push_back(choice<Contributions::MatrixSide>(side));
     return support;
   }
 

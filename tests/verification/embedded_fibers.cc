@@ -34,11 +34,11 @@ stretch_evenly()
           scene.fibers.material.poisson_ratio = 0.;
           auto &ends                          = scene.add_support();
           ends.nodes.nodes  = Heddle::Contributions::ChosenNodes::first_end;
-          ends.matrix_sides = {"x-"};
+          ends.matrix_sides = {Contributions::MatrixSide::lower_x};
           ends.displacement = {{"0", "0", "0"}};
           auto &pull        = scene.add_support();
           pull.nodes.nodes  = Heddle::Contributions::ChosenNodes::last_end;
-          pull.matrix_sides = {"x+"};
+          pull.matrix_sides = {Contributions::MatrixSide::upper_x};
           pull.displacement = {{std::to_string(strain) + "*x", "0", "0"}};
           scene.embed({straight_path(Tensor<1, 3>({0., 0.41, 0.57}),
                                      Tensor<1, 3>({length, 0.41, 0.57}),

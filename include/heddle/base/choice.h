@@ -89,6 +89,36 @@ namespace Heddle
     });
     owner.leave_my_subsection(prm);
   }
+
+
+
+  /** The same of a list, which may name each word once. */
+  template <typename Value>
+  void
+  add_choices(ParameterAcceptor  &owner,
+              const std::string  &entry,
+              std::vector<Value> &values,
+              const std::string  &documentation)
+  {
+    ParameterHandler &prm = ParameterAcceptor::prm;
+    std::string       words;
+    for (const Value value : values)
+      words += (words.empty() ? "" : ", ") + std::string(word(value));
+    owner.enter_my_subsection(prm);
+    prm.declare_entry(
+      entry,
+      words,
+      Patterns::List(Patterns::Selection(words_of_choice<Value>()),
+                     0,
+                     all_choices<Value>().size()),
+      documentation);
+    prm.add_action(entry, [&values](const std::string &text) {
+      values.clear();
+      for (const std::string &one : Utilities::split_string_list(text))
+        values.push_back(choice<Value>(one));
+    });
+    owner.leave_my_subsection(prm);
+  }
 } // namespace Heddle
 
 #endif

@@ -5,7 +5,7 @@
 #include <heddle/contact/normal_law.h>
 #include <heddle/contact/projected_crossing.h>
 #include <heddle/contributions/centerlines.h>
-#include <heddle/system/contribution.h>
+#include <heddle/system/nonsmooth_contribution.h>
 
 #include <array>
 #include <string>
@@ -46,7 +46,7 @@ namespace Heddle
      *
      * @note The state must hold all fibers that cross own ones, whole.
      */
-    class CrossingEnforcement : public System::Contribution
+    class CrossingEnforcement : public System::NonsmoothContribution
     {
     public:
       CrossingEnforcement(const System::FiberSpace        &space,
@@ -103,12 +103,6 @@ namespace Heddle
       void
       assemble(const System::State &state,
                System::BlockSystem &system) override;
-
-      bool
-      is_nonsmooth() const override
-      {
-        return true;
-      }
 
       std::pair<double, double>
       slope_and_curvature(const System::State     &state,

@@ -5,7 +5,7 @@
 #include <heddle/contact/contact_parameters.h>
 #include <heddle/contributions/indentation.h>
 #include <heddle/contributions/searched_fibers.h>
-#include <heddle/system/contribution.h>
+#include <heddle/system/nonsmooth_contribution.h>
 
 #include <algorithm>
 #include <utility>
@@ -27,7 +27,7 @@ namespace Heddle
      *
      * Every rank holds the cells of all pairs with one of its own fibers.
      */
-    class FiberContact : public System::Contribution
+    class FiberContact : public System::NonsmoothContribution
     {
     public:
       FiberContact(const System::FiberSpace         &space,

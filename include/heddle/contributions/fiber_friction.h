@@ -34,7 +34,7 @@ namespace Heddle
      * normal forces that it has. The symmetric part of the tangent leaves out
      * that these change; the unsymmetric terms say it.
      */
-    class FiberFriction : public System::Contribution
+    class FiberFriction : public System::NonsmoothContribution
     {
     public:
       /** @p contact is updated before this is, and outlives it. */

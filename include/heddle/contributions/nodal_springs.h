@@ -37,11 +37,6 @@ namespace Heddle
       }
 
       void
-      add_pattern(const System::State &, System::BlockPattern &) override
-      {
-      }
-
-      void
       assemble(const System::State &state,
                System::BlockSystem &system) override;
 

@@ -4,7 +4,7 @@
 #include <heddle/base/expression.h>
 #include <heddle/contact/normal_law.h>
 #include <heddle/contributions/plate_parameters.h>
-#include <heddle/system/contribution.h>
+#include <heddle/system/nonsmooth_contribution.h>
 
 #include <array>
 #include <string>
@@ -27,7 +27,7 @@ namespace Heddle
      * of each fiber at each plate grows until it is no deeper than the
      * threshold. d is linear in the unknowns, so that the tangent is exact.
      */
-    class Plates : public System::Contribution
+    class Plates : public System::NonsmoothContribution
     {
     public:
       /**
@@ -69,12 +69,6 @@ namespace Heddle
       void
       assemble(const System::State &state,
                System::BlockSystem &system) override;
-
-      bool
-      is_nonsmooth() const override
-      {
-        return true;
-      }
 
       std::pair<double, double>
       slope_and_curvature(const System::State     &state,

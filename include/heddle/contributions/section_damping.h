@@ -40,11 +40,6 @@ namespace Heddle
               const System::Increment &increment) override;
 
       void
-      add_pattern(const System::State &, System::BlockPattern &) override
-      {
-      }
-
-      void
       assemble(const System::State &state,
                System::BlockSystem &system) override;
 

@@ -40,13 +40,48 @@ namespace Heddle
 
 
 
+    /** The sides of a matrix, numbered as System::MatrixSpace has them. */
+    enum class MatrixSide
+    {
+      lower_x,
+      upper_x,
+      lower_y,
+      upper_y,
+      lower_z,
+      upper_z
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const MatrixSide side)
+    {
+      switch (side)
+        {
+          case MatrixSide::lower_x:
+            return "x-";
+          case MatrixSide::upper_x:
+            return "x+";
+          case MatrixSide::lower_y:
+            return "y-";
+          case MatrixSide::upper_y:
+            return "y+";
+          case MatrixSide::lower_z:
+            return "z-";
+          case MatrixSide::upper_z:
+            return "z+";
+        }
+      return nullptr;
+    }
+
+
+
     /** What a support holds, and how that has to move. */
     struct Support
     {
       std::string where; /**< how messages call it: `Supports/Support 1` */
 
       NodeSelection              nodes;
-      std::vector<std::string>   matrix_sides;
+      std::vector<MatrixSide>    matrix_sides;
       std::array<std::string, 3> displacement = {{"free", "free", "free"}};
       SupportedSection           section      = SupportedSection::free;
       std::string                angle        = "0";
@@ -64,16 +99,6 @@ namespace Heddle
       is_free(const unsigned int component) const
       {
         return displacement[component] == "free";
-      }
-
-      /** Numbers of the sides of the matrix, x-, x+, y-, y+, z-, z+. */
-      std::vector<unsigned int>
-      sides() const
-      {
-        std::vector<unsigned int> numbers;
-        for (const std::string &side : matrix_sides)
-          numbers.push_back(2 * (side[0] - 'x') + (side[1] == '+' ? 1 : 0));
-        return numbers;
       }
 
       /** How messages call an entry: `Supports/Support 1: "Turn angle"`. */

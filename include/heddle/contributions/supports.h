@@ -55,11 +55,6 @@ namespace Heddle
                 std::vector<System::Constraint> &constraints) const override;
 
       void
-      add_pattern(const System::State &, System::BlockPattern &) override
-      {
-      }
-
-      void
       assemble(const System::State &, System::BlockSystem &) override
       {
       }

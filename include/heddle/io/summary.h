@@ -159,6 +159,21 @@ namespace Heddle
 
       /** Of fibers that lie in cells [mm^3]. */
       double doubled_volume = 0.;
+
+      /** Call @p visit (name, value) for all that is told of the @p matrix, in
+       * the order of summary.json. */
+      template <typename Visit>
+      static void
+      describe(const Visit &visit, const MatrixSummary &matrix)
+      {
+        visit("n_matrix_cells", matrix.n_cells);
+        visit("n_matrix_nodes", matrix.n_nodes);
+        visit("n_links", matrix.n_links);
+        visit("n_matrix_assemblies", matrix.n_assemblies);
+        visit("matrix_volume_mm3", matrix.volume);
+        visit("doubled_volume_mm3", matrix.doubled_volume);
+        visit("doubled_part", matrix.doubled_volume / matrix.volume);
+      }
     };
 
 

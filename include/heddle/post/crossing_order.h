@@ -2,7 +2,9 @@
 #define heddle_post_crossing_order_h
 
 #include <heddle/base/polyline.h>
+#include <heddle/system/state.h>
 
+#include <string>
 #include <vector>
 
 namespace Heddle
@@ -32,6 +34,18 @@ namespace Heddle
 
       /** Pairs whose projections on the plane of the fabric do not cross. */
       unsigned int apart = 0;
+
+      /** "3 of 36 crossings of fibers are not as the pattern wants them", or
+       * nothing if all of them are. */
+      std::string
+      wrong_in_words() const;
+
+      /**
+       * "3 of 36 pairs of fibers do not cross though the pattern wants it",
+       * such as fibers that have slipped off the ends of others, or nothing.
+       */
+      std::string
+      apart_in_words() const;
     };
 
 
@@ -47,6 +61,15 @@ namespace Heddle
      */
     CrossingCount
     count_crossing_order(const std::vector<Polyline>      &fibers,
+                         const std::vector<OrderedFibers> &crossings);
+
+    /**
+     * The same of the centerlines of all ranks: each compares its own fibers
+     * with those that one rank after another shows to all.
+     * @note Collective.
+     */
+    CrossingCount
+    count_crossing_order(const System::State              &state,
                          const std::vector<OrderedFibers> &crossings);
   } // namespace Post
 } // namespace Heddle

@@ -41,6 +41,10 @@ namespace Heddle
       read_checkpoint();
 
     private:
+      /** Look for contacts in the state as it is. */
+      void
+      update_contacts();
+
       /** No equilibrium was found: see that the last one is kept. */
       void
       keep_last_step();
@@ -53,6 +57,14 @@ namespace Heddle
 
       void
       run_stage();
+
+      /** Say what is to be said of it; throw NotConverged if it has led to what
+       * it must not. */
+      void
+      end_stage(const Stage &stage);
+
+      void
+      end_loading(const Stage &stage) const;
 
       /**
        * After one that led to no equilibrium: a shorter one or, if there is

@@ -1,7 +1,6 @@
 #ifndef heddle_simulation_fabric_report_h
 #define heddle_simulation_fabric_report_h
 
-#include <heddle/post/crossing_order.h>
 #include <heddle/post/fabric_window.h>
 #include <heddle/simulation/scene.h>
 
@@ -26,13 +25,6 @@ namespace Heddle
        * @note Collective.
        */
       FabricReport(const System::State &state);
-
-      /**
-       * Pairs of fibers on the right and on the wrong side of each other, as
-       * @p weave, from which they are, wants them.
-       */
-      Post::CrossingCount
-      crossings(const Textile::Weave &weave) const;
 
       /**
        * The sections of all yarns at @p n_stations equal fractions of their

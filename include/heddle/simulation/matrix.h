@@ -3,6 +3,7 @@
 
 #include <heddle/contributions/fiber_matrix_coupling.h>
 #include <heddle/contributions/matrix_elasticity.h>
+#include <heddle/io/summary.h>
 #include <heddle/simulation/matrix_parameters.h>
 #include <heddle/system/state.h>
 #include <heddle/textile/matrix_mesh.h>
@@ -24,25 +25,6 @@ namespace Heddle
     class Matrix
     {
     public:
-      /** How much there is of all, over all ranks. */
-      struct Sizes
-      {
-        unsigned int n_cells    = 0;
-        unsigned int n_left_out = 0; /**< cells deep inside of yarns */
-        unsigned int n_dropped  = 0; /**< cells that nothing holds */
-        unsigned int n_nodes    = 0;
-        unsigned int n_links    = 0;
-        double       volume     = 0.; /**< of the cells [mm^3] */
-        double       doubled    = 0.; /**< of fibers in them [mm^3] */
-        double       subtracted = 0.; /**< of that, from cells [mm^3] */
-
-        /** Part of the fibers' length that lies in cells without links [-]. */
-        double unlinked = 0.;
-
-        /** Fibers no point of which is where cells are or were left out. */
-        unsigned int n_outside = 0;
-      };
-
       /**
        * Embed the fibers as they lie in @p state, and add the matrix to it.
        * Throws InputError if there is no sound mesh.
@@ -72,6 +54,14 @@ namespace Heddle
       std::string
       in_words() const;
 
+      /**
+       * How much of a matrix of the linear law has turned so far that another
+       * one is right, or nothing.
+       * @note Collective.
+       */
+      std::string
+      turned_in_words(const System::State &state) const;
+
       const std::shared_ptr<Contributions::MatrixElasticity> &
       elasticity() const
       {
@@ -90,13 +80,25 @@ namespace Heddle
         return *matrix_space;
       }
 
-      const Sizes &
-      sizes() const
-      {
-        return counted;
-      }
+      /** How much there is of all, over all ranks. */
+      IO::MatrixSummary
+      summary() const;
 
     private:
+      /** Beside what the summary tells of it, that is for the log. */
+      struct Sizes : IO::MatrixSummary
+      {
+        unsigned int n_left_out = 0; /**< cells deep inside of yarns */
+        unsigned int n_dropped  = 0; /**< cells that nothing holds */
+        double subtracted = 0.; /**< of doubled_volume, from cells [mm^3] */
+
+        /** Part of the fibers' length that lies in cells without links [-]. */
+        double unlinked = 0.;
+
+        /** Fibers no point of which is where cells are or were left out. */
+        unsigned int n_outside = 0;
+      };
+
       using Points = std::vector<Contributions::EmbeddedPoint>;
 
       /** Numbers that another matrix does not have. */

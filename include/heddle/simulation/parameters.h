@@ -64,6 +64,17 @@ namespace Heddle
       Solver::NewtonParameters       newton;
       Solver::LinearSolverParameters linear_solver;
       IO::OutputParameters           output;
+
+    private:
+      /** Parts of check(). */
+      void
+      check_fabric_loading(const ParameterFile &file) const;
+
+      void
+      check_restart(const ParameterFile &file) const;
+
+      void
+      check_matrix(const ParameterFile &file) const;
     };
   } // namespace Simulation
 } // namespace Heddle

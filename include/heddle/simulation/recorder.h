@@ -44,6 +44,9 @@ namespace Heddle
         unsigned int                number   = 0; /**< step, over all stages */
         const Solver::LoadStepping *stepping = nullptr;
         Solver::Predictor           predictor;
+
+        /** Where the last step that came to equilibrium has led. */
+        Post::CrossingCount crossings;
       };
 
       /** The folder must exist where anything is written. @note Collective. */
@@ -147,10 +150,6 @@ namespace Heddle
       finish(const IO::Status status, const std::string &reason);
 
     private:
-      /** The file of the given initial configuration; empty: none is given. */
-      std::string
-      configuration_file() const;
-
       /** Return the parameters of the run that has written it. */
       std::string
       read_initial_configuration(const std::string &file);
@@ -186,11 +185,6 @@ namespace Heddle
                    const double       time,
                    const std::string &group);
 
-      /** Of a weave, those that are not as its pattern wants. @note Collective.
-       */
-      void
-      count_crossings(IO::StageSummary &stage) const;
-
       /** Sections of the yarns and what a data sheet says of the fabric, if
        * they are asked for. @note Collective. */
       void
@@ -221,13 +215,16 @@ namespace Heddle
       const ParameterFile &file;
       const std::string    directory;
       const std::string    in_force; /**< all parameters, see settings_text() */
-      SectionTimer        &timer;
-      const bool           first_rank;
-      IO::Summary          summary;
-      IO::History          history;
-      IO::Checkpoint       checkpoint;
-      EnergyBalance        balance;
-      std::string          overfull;
+
+      /** The file of the initial configuration that is given, or empty. */
+      const std::string given_configuration;
+      SectionTimer     &timer;
+      const bool        first_rank;
+      IO::Summary       summary;
+      IO::History       history;
+      IO::Checkpoint    checkpoint;
+      EnergyBalance     balance;
+      std::string       overfull;
 
       Contributions::Indentation         deepest;
       std::unique_ptr<IO::FiberOutput>   fibers;

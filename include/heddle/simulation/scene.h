@@ -6,7 +6,7 @@
 #include <heddle/contributions/fiber_friction.h>
 #include <heddle/contributions/supports.h>
 #include <heddle/post/crossing_order.h>
-#include <heddle/simulation/matrix_estimate.h>
+#include <heddle/simulation/own_contributions.h>
 #include <heddle/simulation/parameters.h>
 #include <heddle/simulation/stage.h>
 #include <heddle/system/state.h>
@@ -35,13 +35,15 @@ namespace Heddle
     {
     public:
       /**
-       * @p parameter_file is where the names of other files count from.
+       * @p parameter_file is where the names of other files count from,
+       * @p make_own adds to the contributions of stages with loads.
        * Throws InputError if no scene can be made of the parameters.
        * @note Collective.
        */
-      Scene(const Parameters  &parameters,
-            const std::string &parameter_file,
-            const MPI_Comm     communicator);
+      Scene(const Parameters       &parameters,
+            const std::string      &parameter_file,
+            const MPI_Comm          communicator,
+            const OwnContributions &make_own = {});
 
       ~Scene();
 
@@ -56,6 +58,13 @@ namespace Heddle
       weave() const
       {
         return woven.get();
+      }
+
+      /** Where the fibers of all ranks start, and whose they are. */
+      const std::vector<Textile::FiberPath> &
+      fiber_paths() const
+      {
+        return paths;
       }
 
       /** Whether there are warp and weft, which settle before a load. */
@@ -78,6 +87,20 @@ namespace Heddle
         return fiber_contact.get();
       }
 
+      /** Friction of fibers in contact, or nullptr if there is none. */
+      const Contributions::FiberFriction *
+      friction() const
+      {
+        return fiber_friction.get();
+      }
+
+      /** The supports of the file, of fibers that are no fabric, or nullptr. */
+      const Contributions::Supports *
+      supports() const
+      {
+        return held_by.get();
+      }
+
       /** The matrix in which the fibers are embedded, or nullptr yet. */
       const Matrix *
       matrix() const
@@ -86,15 +109,9 @@ namespace Heddle
       }
 
       /**
-       * Embed the fibers, as they lie in the state, in the matrix.
-       * @note Collective.
-       */
-      void
-      embed();
-
-      /**
-       * The same as they were embedded in the run that wrote @p archive. Throws
-       * InputError, which begins with @p where, if that was another matrix.
+       * Embed the fibers in a matrix as they were in the run that wrote
+       * @p archive. Throws InputError, which begins with @p where, if that was
+       * another matrix.
        */
       void
       embed_as(const ArchiveReader &archive, const std::string &where);
@@ -107,59 +124,12 @@ namespace Heddle
       ends_initially(const unsigned int stage) const;
 
       /**
-       * "3 of 36 crossings of fibers are not as the pattern wants them", or
-       * nothing if all of them are, or if there is no weave.
+       * How the fibers of a weave lie where its pattern has them cross; none
+       * without a weave.
        * @note Collective.
        */
-      std::string
-      wrong_crossings() const;
-
-      /**
-       * "3 of 36 pairs of fibers do not cross though the pattern wants it",
-       * such as fibers that have slipped off the ends of others, or nothing.
-       * @note Collective.
-       */
-      std::string
-      lost_crossings() const;
-
-      /**
-       * How much of a matrix of the linear law has turned so far that another
-       * one is right, or nothing.
-       * @note Collective.
-       */
-      std::string
-      turned_matrix() const;
-
-      /**
-       * What is to be said of fibers that were given lying in each other, by
-       * more than half a radius or where supports hold them. Throw InputError
-       * where supports do for good. Those of a weave are not looked at.
-       * @note Collective.
-       */
-      std::vector<std::string>
-      overlaps_at_start() const;
-
-      /**
-       * Why nothing may keep the plane of a bend, or nothing if something does.
-       * @note Collective.
-       */
-      std::string
-      missing_torsion() const;
-
-      /** Whose elements are so short that contact takes all memory, or nothing.
-       */
-      std::string
-      crumbled_fiber() const;
-
-      /** Whose elements are too long for the points that they were read from,
-       * or nothing. */
-      std::string
-      missed_points() const;
-
-      /** Which fibers of a file turn back at some of their points, which may
-       * not be in order; nothing if there are none. */
-      std::string
-      turned_back() const;
+      Post::CrossingCount
+      count_crossings() const;
 
       /** Of all fibers when they are free; 0: not known [g/cm^3]. */
       const std::vector<double> &
@@ -167,10 +137,6 @@ namespace Heddle
       {
         return fiber_densities;
       }
-
-      /** What is to be said of a fabric as it is described. */
-      std::vector<std::string>
-      notes() const;
 
       /**
        * What all contributions report, by name with unit. Of several of the
@@ -189,26 +155,6 @@ namespace Heddle
       std::vector<std::string>
       contribution_names() const;
 
-      /** How large the matrix will be, about; nothing if there is none. */
-      MatrixEstimate
-      estimated_matrix() const;
-
-      /** Whether the tangent will be factorized, with such a matrix. */
-      bool
-      will_be_factorized(const double n_matrix_nodes) const;
-
-      /**
-       * What the solver will need, roughly, over all ranks, with a matrix of
-       * so many nodes [bytes].
-       */
-      double
-      estimated_memory(const double n_matrix_nodes) const;
-
-      /** The time of one Newton iteration, roughly, of fibers in contact [s].
-       */
-      double
-      estimated_seconds(const double n_matrix_nodes) const;
-
       /** The owned blocks at the start, displacements count from here. */
       const std::vector<Tensor<1, 3>> &
       initial() const
@@ -224,24 +170,9 @@ namespace Heddle
       }
 
     private:
-      /**
-       * "penetration 0.6 of the radius ...", the deepest one of the fibers that
-       * were given if it is above @p allowed radii, or nothing.
-       * @note Collective.
-       */
-      std::string
-      deepest_overlap(const double allowed) const;
-
-      /** Contact of the fibers that were given, where they start. */
-      std::unique_ptr<Contributions::FiberContact>
-      contact_at_start(System::State &start) const;
-
       void
-      make_paths(const std::string &parameter_file);
-
-      /** @note Collective. */
-      Post::CrossingCount
-      count_crossings() const;
+      make_paths(const std::string &parameter_file,
+                 const MPI_Comm     communicator);
 
       /** Refuse yarns that begin on the wrong sides of each other. */
       void
@@ -267,6 +198,9 @@ namespace Heddle
       void
       add_settle_stages();
 
+      void
+      add_approach_stage(const double threshold);
+
       /** A stage in which @p supports hold the fibers. */
       void
       add_load_stage(const std::string                           &name,
@@ -284,11 +218,19 @@ namespace Heddle
       void
       add_load_cases();
 
+      /**
+       * Embed the fibers, as they lie in the state, in the matrix.
+       * @note Collective.
+       */
+      void
+      embed();
+
       /** The fibers are about to be loaded from where they lie. */
       void
       begin_loading();
 
       const Parameters                               &parameters;
+      const OwnContributions                          make_own;
       std::unique_ptr<Textile::Weave>                 woven;
       std::unique_ptr<Textile::MeasuredFabric>        measured;
       std::vector<Textile::FiberPath>                 paths;
@@ -302,7 +244,7 @@ namespace Heddle
       std::shared_ptr<System::Contribution>           guides;
 
       /** Those of the file, of fibers that are no fabric. */
-      std::shared_ptr<Contributions::Supports> supports;
+      std::shared_ptr<Contributions::Supports> held_by;
 
       std::unique_ptr<Matrix>                composite;
       std::vector<Contributions::FabricCase> fabric_cases;

@@ -101,6 +101,7 @@ namespace Heddle
 
       System::State       &state;
       const Contributions &contributions;
+      const NonsmoothTerms nonsmooth;
       System::BlockSystem &system;
       const MPI_Comm       communicator;
 

@@ -1,10 +1,9 @@
 #ifndef heddle_solver_line_search_h
 #define heddle_solver_line_search_h
 
-#include <heddle/system/contribution.h>
+#include <heddle/solver/terms.h>
 
 #include <array>
-#include <memory>
 #include <vector>
 
 namespace Heddle
@@ -12,9 +11,6 @@ namespace Heddle
   namespace Solver
   {
     using namespace dealii;
-
-    /** The contributions of a scene, in the order of assembly. */
-    using Contributions = std::vector<std::shared_ptr<System::Contribution>>;
 
     /**
      * Looks along the solution of a linear system for the place where the
@@ -31,7 +27,7 @@ namespace Heddle
        * @note Collective, like all of this class.
        */
       LineSearch(System::State             &state,
-                 const Contributions       &contributions,
+                 const NonsmoothTerms      &nonsmooth_terms,
                  const System::BlockSystem &system,
                  const System::Increment   &increment,
                  const double               damping);
@@ -87,7 +83,7 @@ namespace Heddle
       estimate_root(const Place &low, const Place &high);
 
       System::State                  &state;
-      const Contributions            &contributions;
+      const NonsmoothTerms           &nonsmooth_terms;
       const System::Increment        &increment;
       const std::vector<Tensor<1, 3>> start;
       System::Increment               trial;

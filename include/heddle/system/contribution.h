@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Heddle
@@ -31,7 +30,8 @@ namespace Heddle
     /**
      * One physical term of the equilibrium. A scene is the list of its
      * contributions: what is not in the list costs nothing. The solver knows
-     * this interface and nothing else of the physics.
+     * this interface, and that of a NonsmoothContribution, and nothing else of
+     * the physics.
      *
      * All members are collective unless said otherwise.
      */
@@ -63,49 +63,17 @@ namespace Heddle
       {
       }
 
-      /**
-       * The configuration changed: bring what depends on it up to date, contact
-       * elements for instance. May change the ghosts of the state.
-       */
-      virtual void
-      update(State &)
-      {
-      }
-
-      /**
-       * An iteration begins in the configuration that this was brought up to:
-       * what is about to go wrong may be prevented.
-       */
-      virtual void
-      begin_iteration(State &)
-      {
-      }
-
-      /**
-       * What update() does, for a configuration that is only tried: what was
-       * searched stays, and so do the ghosts.
-       */
-      virtual void
-      update_trial(State &)
-      {
-      }
-
-      /** Whether the pattern that was last given no longer suffices. */
-      virtual bool
-      needs_new_pattern() const
-      {
-        return false;
-      }
-
       /** Append the motions that this term prescribes in the current state. */
       virtual void
       constrain(const State &, std::vector<Constraint> &) const
       {
       }
 
-      /** Say which blocks assemble() may couple. */
+      /** Say which blocks assemble() may couple, beside each with itself. */
       virtual void
-      add_pattern(const State &state, BlockPattern &pattern) = 0;
+      add_pattern(const State &, BlockPattern &)
+      {
+      }
 
       /** Add residual and, if wanted, tangent. */
       virtual void
@@ -131,81 +99,10 @@ namespace Heddle
         return std::numeric_limits<double>::max();
       }
 
-      /**
-       * The same of what update() knows of: further along @p increment fibers
-       * might meet unseen.
-       */
-      virtual double
-      searched_step(const State &, const Increment &) const
-      {
-        return std::numeric_limits<double>::max();
-      }
-
       /** Raise @p stiffness to what this term makes nodes resist. Local. */
       virtual void
       raise_stiffness(NodeStiffness &) const
       {
-      }
-
-      /**
-       * Whether a configuration that was only guessed, and update()d, may be
-       * gone on from: not where fibers may come out of each other on the wrong
-       * side. The same on all ranks.
-       */
-      virtual bool
-      is_credible() const
-      {
-        return true;
-      }
-
-      /**
-       * From 1 down to 0: a nonsmooth term may be so much smoother than it is,
-       * while the iteration is on its way. Equilibrium is judged at 0.
-       */
-      virtual void
-      set_softness(const double)
-      {
-      }
-
-      /**
-       * Whether the tangent of a nonsmooth term has the part that its forces
-       * turn by, which close to equilibrium makes it exact, and may make it
-       * indefinite.
-       */
-      virtual void
-      set_geometric_stiffness(const bool)
-      {
-      }
-
-      /**
-       * Whether this term is not smooth enough for Newton's full step: then the
-       * solver looks for a shorter one with the help of slope_and_curvature().
-       */
-      virtual bool
-      is_nonsmooth() const
-      {
-        return false;
-      }
-
-      /**
-       * Local part of the derivative of this term's energy along @p increment
-       * in the current configuration, and of its second derivative by the
-       * tangent. Asked of nonsmooth terms only, without assembly.
-       */
-      virtual std::pair<double, double>
-      slope_and_curvature(const State &, const Increment &) const
-      {
-        return {0., 0.};
-      }
-
-      /**
-       * The iteration calmed down: improve what was only guessed so far, such
-       * as penalties. Return whether the equilibrium changed by that.
-       */
-      virtual bool
-      adapt(const State &)
-      {
-        return false;
       }
 
       /**
@@ -216,16 +113,6 @@ namespace Heddle
       objection(const State &) const
       {
         return "";
-      }
-
-      /**
-       * Other fibers that this term makes act on the owned fiber @p f next to
-       * its @p node. Local.
-       */
-      virtual std::vector<unsigned int>
-      contacting_fibers(const unsigned int, const unsigned int) const
-      {
-        return {};
       }
 
       /**

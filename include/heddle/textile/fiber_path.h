@@ -3,6 +3,9 @@
 
 #include <heddle/base/polyline.h>
 
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <limits>
 #include <string>
 
@@ -60,6 +63,15 @@ namespace Heddle
 
       /** Name by which supports and loads find it, "warp" and "weft" here. */
       std::string set;
+
+      /** To be sent to other ranks. */
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &points &reference_length &missed &n_turns &radius
+          &filament_radius &density &yarn_id &bundle_id &set;
+      }
     };
   } // namespace Textile
 } // namespace Heddle

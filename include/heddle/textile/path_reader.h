@@ -4,6 +4,8 @@
 #include <heddle/textile/fiber_path.h>
 #include <heddle/textile/interpolation.h>
 
+#include <mpi.h>
+
 #include <istream>
 #include <string>
 #include <vector>
@@ -56,11 +58,17 @@ namespace Heddle
      * strained by.
      *
      * Throws InputError, with file, line, what was found and what to do.
+     *
+     * The first rank reads for all of them.
+     * @note Collective.
      */
     std::vector<FiberPath>
-    read_paths(const std::string &file_name, const PathReading &reading);
+    read_paths(const std::string &file_name,
+               const PathReading &reading,
+               const MPI_Comm     communicator);
 
-    /** The same from a stream that messages call @p name. */
+    /** The same, by each rank for itself, from a stream that messages call
+     * @p name. */
     std::vector<FiberPath>
     read_paths(std::istream      &input,
                const std::string &name,

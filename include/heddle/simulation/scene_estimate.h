@@ -1,0 +1,31 @@
+#ifndef heddle_simulation_scene_estimate_h
+#define heddle_simulation_scene_estimate_h
+
+#include <heddle/simulation/matrix_estimate.h>
+#include <heddle/simulation/scene.h>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    /** What a scene will take, roughly, before it is computed. */
+    struct SceneEstimate
+    {
+      SceneEstimate(const Scene &scene, const Parameters &parameters);
+
+      /** How large the matrix will be; nothing if there is none. */
+      MatrixEstimate matrix;
+
+      /** Whether the tangent will be factorized. */
+      bool is_factorized;
+
+      /** What the solver will need over all ranks [bytes]. */
+      double memory;
+
+      /** The time of one Newton iteration of fibers in contact [s]. */
+      double seconds;
+    };
+  } // namespace Simulation
+} // namespace Heddle
+
+#endif

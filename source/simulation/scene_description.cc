@@ -1,0 +1,242 @@
+#include <heddle/base/exceptions.h>
+#include <heddle/simulation/scene_description.h>
+#include <heddle/simulation/scene_estimate.h>
+#include <heddle/simulation/scene_notes.h>
+#include <heddle/textile/linear_density.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** "2.4 x 2.4 x 0.1 mm": what shows that a length is in another unit. */
+      std::string
+      extent_in_words(const Scene &scene)
+      {
+        const System::FiberSpace &space = scene.space();
+        const double              none  = std::numeric_limits<double>::max();
+        std::vector<double>       low(3, none), high(3, -none);
+        for (std::size_t b = 0; b < scene.initial().size();
+             b += space.n_blocks_per_node())
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              low[d]  = std::min(low[d], scene.initial()[b][d]);
+              high[d] = std::max(high[d], scene.initial()[b][d]);
+            }
+        Utilities::MPI::min(low, space.communicator(), low);
+        Utilities::MPI::max(high, space.communicator(), high);
+        std::ostringstream text;
+        text << std::setprecision(3) << high[0] - low[0] << " x "
+             << high[1] - low[1] << " x " << high[2] - low[2] << " mm";
+        return text.str();
+      }
+
+
+
+      /** What yarns and fabric weigh, if the densities of fibers are known. */
+      void
+      print_weights(Log                             &log,
+                    const Textile::Weave            &weave,
+                    const Textile::WeaveDescription &description)
+      {
+        const bool warp = description.warp.density > 0.,
+                   weft = description.weft.density > 0.;
+        if (warp)
+          log << "Warp           "
+              << Textile::yarns_in_words(description.warp, weave.warp_spacing())
+              << '\n';
+        if (weft)
+          log << "Weft           "
+              << Textile::yarns_in_words(description.weft, weave.weft_spacing())
+              << '\n';
+        // Grams per kilometer over millimeters are grams per square meter.
+        if (warp && weft)
+          log << "Areal weight   " << std::setprecision(3)
+              << Textile::linear_density(description.warp) /
+                     weave.warp_spacing() +
+                   Textile::linear_density(description.weft) /
+                     weave.weft_spacing()
+              << " g/m^2, without crimp\n";
+      }
+
+
+
+      /** "94.3" or, where fibers differ, "94.3 to 120" [MPa]. */
+      std::string
+      tension_in_words(const System::FiberSpace &space, const double strain)
+      {
+        double low = std::numeric_limits<double>::max(), high = 0.;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          {
+            const double radius = space.fiber(f).radius;
+            const double stress = strain * space.fiber(f).section.axial /
+                                  (numbers::PI * radius * radius);
+            low  = std::min(low, stress);
+            high = std::max(high, stress);
+          }
+        std::ostringstream text;
+        text << std::setprecision(3) << low;
+        if (high > 1.001 * low)
+          text << " to " << high;
+        return text.str();
+      }
+
+
+
+      /** How many fibers are of each material, a line if there are several. */
+      std::string
+      materials_in_words(const System::FiberSpace &space,
+                         const FiberParameters    &parameters)
+      {
+        if (parameters.materials.empty())
+          return "";
+        const auto  numbers = parameters.materials_of(space.names());
+        std::string text;
+        for (unsigned int i = 0; i <= parameters.materials.size(); ++i)
+          text +=
+            (i == 0 ? "Materials      " : ", ") +
+            std::to_string(std::count(numbers.begin(), numbers.end(), i)) +
+            (i == 0 ? " fibers of section Fiber"
+                    : " of Material " + std::to_string(i));
+        return text + '\n';
+      }
+
+
+
+      /** Whether an initial configuration is yet to be computed. */
+      bool
+      settles(const Scene &scene, const Parameters &parameters)
+      {
+        return scene.is_fabric() &&
+               parameters.restart.initial_configuration.empty();
+      }
+
+
+
+      void
+      print_fibers(Log &log, const Scene &scene, const Parameters &parameters)
+      {
+        const System::FiberSpace &space = scene.space();
+        log << "Fibers         " << space.n_fibers();
+        if (space.n_yarns() > 0)
+          log << " in " << space.n_yarns() << " yarns";
+        log << '\n' << materials_in_words(space, parameters.fiber);
+        if (scene.weave())
+          print_weights(log, *scene.weave(), parameters.weave.description());
+        if (settles(scene, parameters))
+          log << "Tension        "
+              << tension_in_words(space, parameters.settle.axial_tension)
+              << " MPa in every fiber while the fabric settles, with which a "
+                 "test begins (Initial configuration/Axial tension)\n";
+        // The stress at a strain of 1e-3, in MPa, is the modulus in GPa, as
+        // data sheets have it.
+        log << "Stiffness      " << tension_in_words(space, /*strain=*/1e-3)
+            << " GPa along the fibers (Fiber/Axial modulus, or Axial "
+               "stiffness over the area)\n"
+            << "Extent         " << extent_in_words(scene) << " at the start\n"
+            << "Nodes          " << space.n_nodes() << '\n'
+            << "Unknowns       " << space.n_dofs() << '\n';
+      }
+
+
+
+      void
+      print_matrix(Log &log, const MatrixEstimate &matrix)
+      {
+        if (!matrix.objection.empty())
+          log << "Matrix         not known where the fibers start: "
+              << matrix.objection << '\n';
+        else
+          log << "Matrix         about " << std::lround(matrix.n_cells)
+              << " cells, " << std::lround(matrix.n_nodes) << " nodes, "
+              << std::lround(3. * matrix.n_nodes)
+              << " unknowns, around the fibers where they start\n";
+      }
+
+
+
+      /** Sheared by more, a linear matrix is off by some percent [degrees]. */
+      constexpr double large_angle = 10.;
+
+
+
+      void
+      print_contributions(Log              &log,
+                          const Scene      &scene,
+                          const Parameters &parameters)
+      {
+        std::string comma;
+        for (const std::string &name : scene.contribution_names())
+          {
+            log << comma << name;
+            comma = ", ";
+          }
+        for (const std::string &overlap : overlaps_at_start(scene, parameters))
+          log << "\nNote           " << overlap;
+        if (parameters.matrix.enabled &&
+            parameters.matrix.material.law == Solid::MaterialLaw::linear &&
+            parameters.fabric_loading.largest_shear_angle() > large_angle)
+          log << "\nNote           Matrix/Law is linear, which takes turns for "
+                 "strains: under such shear another one is right";
+      }
+
+
+
+      void
+      print_estimate(Log                 &log,
+                     const SceneEstimate &estimate,
+                     const Scene         &scene,
+                     const Parameters    &parameters)
+      {
+        log << "\nLinear solver  "
+            << (estimate.is_factorized ? "direct" : "fiber blocks")
+            << "\nMemory         about " << std::fixed << std::setprecision(0)
+            << std::ceil(estimate.memory / 1e6) << " MB"
+            << "\nTime           about " << std::setprecision(1)
+            << std::max(0.1, estimate.seconds) << " s for a Newton iteration; "
+            << (settles(scene, parameters)
+                  ? "an initial configuration takes 40 to 160, "
+                  : "")
+            << "a load step " << (scene.is_fabric() ? "3 to 20" : "3 to 60")
+            << std::endl;
+      }
+    } // namespace
+
+
+
+    void
+    print_description(Log              &log,
+                      const Scene      &scene,
+                      const Parameters &parameters)
+    {
+      const SceneEstimate estimate(scene, parameters);
+      // Only a fabric is elsewhere when its fibers are embedded.
+      require(estimate.matrix.objection.empty() || scene.is_fabric(),
+              estimate.matrix.objection);
+      print_fibers(log, scene, parameters);
+      if (parameters.matrix.enabled)
+        print_matrix(log, estimate.matrix);
+      for (const std::string &note : notes_on_fibers(scene, parameters))
+        log << "Note           " << note << '\n';
+      log << "Contributions  ";
+      if (scene.stages().empty())
+        {
+          log << "none: nothing holds or loads the fibers, which are measured "
+                 "as they are"
+              << std::endl;
+          return;
+        }
+      print_contributions(log, scene, parameters);
+      print_estimate(log, estimate, scene, parameters);
+    }
+  } // namespace Simulation
+} // namespace Heddle

@@ -1,0 +1,71 @@
+#include <heddle/simulation/scene_estimate.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** Of a scene with a matrix of so many nodes [bytes]. */
+      double
+      estimated_memory(const Scene &scene,
+                       const bool   is_factorized,
+                       const double n_matrix_nodes,
+                       const double matrix_degree)
+      {
+        const System::FiberSpace &space        = scene.space();
+        const bool                has_friction = scene.friction() != nullptr;
+
+        // What every rank takes before there is a scene: libraries, buffers.
+        const double idle =
+          165e6 * Utilities::MPI::n_mpi_processes(space.communicator());
+
+        // Measured with 30 000 to 270 000 unknowns, and met to a fifth with
+        // conjugate gradients, see doc/benchmarks.md: elements, matrix, factors
+        // and vectors by unknowns; cells and what couples fibers by watched
+        // cells, of which there are about 16 for a node of a packed yarn. A
+        // sparse factorization takes far more.
+        const double n_dofs = space.n_dofs();
+        const double fibers =
+          is_factorized
+            ? (has_friction ? 14e3 : 7e3) * n_dofs
+            : 0.88e3 * n_dofs + (scene.contact() ? 16. * space.n_nodes() : 0.) *
+                                  (has_friction ? 1.16e3 : 0.47e3);
+
+        // Nodes of the matrix are coupled to those of the cells around them:
+        // blocks of 3 x 3.
+        const double per_node = matrix_degree == 1 ? 27. : 64.;
+        const double times    = is_factorized ? 10. : 2.;
+        return idle + fibers +
+               times * n_matrix_nodes * per_node * 9. * sizeof(double);
+      }
+    } // namespace
+
+
+
+    SceneEstimate::SceneEstimate(const Scene      &scene,
+                                 const Parameters &parameters)
+      : matrix(parameters.matrix.enabled
+                 ? MatrixEstimate(parameters.matrix, scene.fiber_paths())
+                 : MatrixEstimate())
+      , is_factorized(parameters.linear_solver.direct(
+          scene.space().n_dofs() + std::lround(3. * matrix.n_nodes),
+          scene.contact() != nullptr,
+          parameters.matrix.enabled))
+      , memory(estimated_memory(scene,
+                                is_factorized,
+                                matrix.n_nodes,
+                                parameters.matrix.degree))
+    {
+      // Measured with 6 000 to 380 000 unknowns on one rank, and met to a
+      // quarter.
+      const double n_dofs = scene.space().n_dofs() + 3. * matrix.n_nodes;
+      seconds             = (is_factorized ? 16e-6 : 4e-6) * n_dofs /
+                Utilities::MPI::n_mpi_processes(scene.space().communicator());
+    }
+  } // namespace Simulation
+} // namespace Heddle

@@ -1,0 +1,203 @@
+#include <heddle/post/bend.h>
+#include <heddle/simulation/held_overlap.h>
+#include <heddle/simulation/scene_notes.h>
+#include <heddle/textile/lost_fibers.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Simulation
+  {
+    namespace
+    {
+      /** Whose elements are so short that contact takes all memory, or nothing.
+       */
+      std::string
+      crumbled_fiber(const Scene &scene)
+      {
+        const auto      &paths    = scene.fiber_paths();
+        constexpr double shortest = 0.05;
+        double           least    = shortest;
+        unsigned int     worst    = 0;
+        for (unsigned int f = 0; f < paths.size(); ++f)
+          {
+            const Textile::FiberPath &path = paths[f];
+            const double              part =
+              path.reference_length / (path.points.size() - 1) / path.radius;
+            if (part < least)
+              {
+                least = part;
+                worst = f;
+              }
+          }
+        if (least == shortest)
+          return "";
+        std::ostringstream text;
+        text << std::setprecision(2) << "nodes of fiber " << worst << " are "
+             << least
+             << " of its radius apart: memory and time of contact grow "
+             << "with the square of how many lie within a radius; give longer "
+                "elements"
+             << (scene.weave()
+                   ? ""
+                   : ", and see whether Centerlines/Scale is right");
+        return text.str();
+      }
+
+
+
+      /** Whose elements are too long for the points of @p file, or nothing. */
+      std::string
+      missed_points(const Scene &scene, const std::string &file)
+      {
+        const auto      &paths = scene.fiber_paths();
+        constexpr double much  = 1.;
+        const auto       worst = std::max_element(
+          paths.begin(), paths.end(), [](const auto &left, const auto &right) {
+            return left.missed / left.radius < right.missed / right.radius;
+          });
+        const double miss = worst->missed / worst->radius;
+        if (miss < much)
+          return "";
+        std::ostringstream text;
+        text << std::setprecision(2)
+             << "elements are too long for the fibers of " << file
+             << ": points of fiber " << worst - paths.begin() << " are up to "
+             << miss
+             << " of its radii beside it; make Centerlines/Element length less";
+        return text.str();
+      }
+
+
+
+      /** Which fibers of @p file turn back at some of their points, which may
+       * not be in order; nothing if there are none. */
+      std::string
+      turned_back(const Scene &scene, const std::string &file)
+      {
+        const auto &paths = scene.fiber_paths();
+        const auto  worst = std::max_element(
+          paths.begin(), paths.end(), [](const auto &left, const auto &right) {
+            return left.n_turns < right.n_turns;
+          });
+        if (worst->n_turns == 0)
+          return "";
+        const unsigned int n =
+          std::count_if(paths.begin(), paths.end(), [](const auto &path) {
+            return path.n_turns > 0;
+          });
+        return file + ": fiber " + std::to_string(worst - paths.begin()) +
+               " (counted from 0)" +
+               (n == 1 ? "" : ", like " + std::to_string(n - 1) + " others,") +
+               " turns by more than 90 degrees at " +
+               std::to_string(worst->n_turns) +
+               (worst->n_turns == 1 ? " point" : " points") +
+               "; see whether points are in their order, and not closer to "
+               "each other than they are exact";
+      }
+
+
+
+      /** Contact of the fibers that were given, where they start. */
+      std::unique_ptr<Contributions::FiberContact>
+      contact_at_start(const Scene      &scene,
+                       const Parameters &parameters,
+                       System::State    &start)
+      {
+        start.set(scene.initial());
+        start.accept();
+        auto contact = std::make_unique<Contributions::FiberContact>(
+          scene.space(), parameters.contact);
+        contact->update(start);
+        return contact;
+      }
+    } // namespace
+
+
+
+    std::vector<std::string>
+    notes_on_fibers(const Scene &scene, const Parameters &parameters)
+    {
+      const std::string       &file = parameters.centerlines.file;
+      std::vector<std::string> notes;
+      if (scene.weave())
+        notes = scene.weave()->notes();
+      else
+        notes.push_back(Textile::lost_fibers(scene.fiber_paths(), file));
+      for (const std::string &note : {turned_back(scene, file),
+                                      crumbled_fiber(scene),
+                                      missed_points(scene, file)})
+        notes.push_back(note);
+      notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
+      return notes;
+    }
+
+
+
+    std::vector<std::string>
+    overlaps_at_start(const Scene &scene, const Parameters &parameters)
+    {
+      if (scene.weave() || !scene.contact() || !crumbled_fiber(scene).empty())
+        return {};
+      constexpr double much = 0.5;
+      System::State    start(scene.space());
+      const auto       contact = contact_at_start(scene, parameters, start);
+      std::vector<std::string> notes;
+      if (scene.supports() && !scene.is_fabric() &&
+          !contact->objection(start).empty())
+        notes.push_back(held_overlap(scene.space(),
+                                     *contact,
+                                     *scene.supports(),
+                                     parameters.contact.threshold));
+      contact->set_threshold(much);
+      const std::string deepest = contact->objection(start);
+      if (!deepest.empty())
+        notes.push_back("at the start there is a " + deepest +
+                        ", which contact has to undo; move fibers apart if it "
+                        "finds no equilibrium");
+      notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
+      return notes;
+    }
+
+
+
+    std::string
+    deepest_overlap(const Scene      &scene,
+                    const Parameters &parameters,
+                    const double      allowed)
+    {
+      if (scene.weave() || !scene.contact())
+        return "";
+      System::State start(scene.space());
+      const auto    contact = contact_at_start(scene, parameters, start);
+      contact->set_threshold(allowed);
+      return contact->objection(start);
+    }
+
+
+
+    std::string
+    missing_torsion(const Scene &scene, const Parameters &parameters)
+    {
+      constexpr double straight = 1e-6;
+      if (parameters.fiber.element_kind != Beam::ElementKind::hermite ||
+          scene.weave() || parameters.centerlines.straight_when_free)
+        return "";
+      System::State start(scene.space());
+      start.set(scene.initial());
+      return Post::sharpest_bend(start).ratio < straight
+               ? ""
+               : "fibers are curved when free, and without torsion, as Fiber/"
+                 "Element = hermite has them, they bend into another plane for "
+                 "nothing: 'director' has torsion" +
+                   std::string(parameters.matrix.enabled &&
+                                   parameters.matrix.points_per_element == 0
+                                 ? ", and Matrix/Coupling points per element = "
+                                   "2 holds their tangents"
+                                 : "");
+    }
+  } // namespace Simulation
+} // namespace Heddle
