@@ -37,7 +37,8 @@ namespace Heddle
         for (const auto &entry : report)
           {
             const std::string &name = entry.first;
-            if (name == "contact_hardening[N*mm]")
+            if (name == "contact_hardening[N*mm]" ||
+                name == "plate_hardening[N*mm]")
               sum -= entry.second;
             else if (name == "friction_stored[N*mm]" ||
                      name == "friction_dissipated[N*mm]" || is_energy(name))

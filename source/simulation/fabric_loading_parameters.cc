@@ -1,6 +1,7 @@
 #include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/number_text.h>
+#include <heddle/base/turning_points.h>
 #include <heddle/simulation/fabric_loading_parameters.h>
 
 #include <algorithm>
@@ -15,13 +16,6 @@ namespace Heddle
     {
       const std::string fabric_loading = "Fabric loading: ";
 
-      /** The load factor that was meant, if it is a round one. */
-      double
-      rounded(const double found)
-      {
-        const double round = std::round(1e6 * found) / 1e6;
-        return std::abs(found - round) < 1e-8 ? round : found;
-      }
     } // namespace
 
 
@@ -39,14 +33,15 @@ namespace Heddle
                  "'Restart/Stress free' is true. What the case lets go of, "
                  "as two sides in uniaxial tension, gives way before it is "
                  "loaded, and the tension with it: forces at load factor 0 "
-                 "are what is left, and may push. "
+                 "are what is left, and may push. 'held': the sides stay where "
+                 "they are, as for compression by 'Plates'. "
                  "'none': supports and loads as listed, if any. No other "
                  "entry is active then [-].");
       add_parameter("Strain",
                     strain,
                     "Engineering strain, where the ramp is 1, of the warp or, "
                     "in uniaxial tension, of the direction in which it is "
-                    "pulled. Inactive in shear [-].");
+                    "pulled. Inactive in shear and where sides are held [-].");
       add_parameter("Strain ratios",
                     strain_ratios,
                     "Strain of the warp over that of the weft, one load case "
@@ -157,62 +152,20 @@ namespace Heddle
 
 
 
+    bool
+    FabricLoadingParameters::pulls(const YarnSet yarns) const
+    {
+      return kind == FabricTest::biaxial_tension ||
+             (kind == FabricTest::uniaxial_tension && direction == yarns);
+    }
+
+
+
     std::vector<double>
     FabricLoadingParameters::turning_points() const
     {
-      const Expression formula(ramp, fabric_loading + "\"Ramp\"");
-      const auto       at = [&formula](const double t) {
-        return formula.value(Tensor<1, 3>(), t);
-      };
-
-      // Sampled finely, then drawn together by golden section, which needs no
-      // derivative: most have a kink there.
-      constexpr unsigned int n      = 1000;
-      const double           golden = 0.5 * (std::sqrt(5.) - 1.);
-      std::vector<double>    points;
-
-      // The last slope that was not 0, where it ended, and how many there were.
-      double       slope = 0., slope_end = 0.;
-      unsigned int n_before = 0;
-      for (unsigned int i = 1; i < n; ++i)
-        {
-          double       low = (i - 1.) / n, high = (i + 1.) / n;
-          const double here   = double(i) / n;
-          const double before = at(here) - at(low), after = at(high) - at(here);
-          if (before != 0.)
-            {
-              slope     = before;
-              slope_end = here;
-              n_before  = points.size();
-            }
-          else if (slope * after < 0. && points.size() == n_before)
-            {
-              // It has stayed for a while: a step goes to where this began.
-              const double stay = at(slope_end);
-              low               = slope_end - 1. / n;
-              high              = slope_end;
-              while (high - low > 1e-9)
-                {
-                  const double middle               = 0.5 * (low + high);
-                  (at(middle) == stay ? high : low) = middle;
-                }
-              points.push_back(rounded(high));
-            }
-          if (before == 0. || before * after > 0.)
-            continue;
-          const double sign = before > 0. ? 1. : -1., beyond = sign * at(high);
-          while (high - low > 1e-9)
-            {
-              const double left  = high - golden * (high - low),
-                           right = low + golden * (high - low);
-              (sign * at(left) > sign * at(right) ? high : low) =
-                sign * at(left) > sign * at(right) ? right : left;
-            }
-          const double point = rounded(0.5 * (low + high));
-          if (sign * at(point) > beyond)
-            points.push_back(point);
-        }
-      return points;
+      return Heddle::turning_points(
+        Expression(ramp, fabric_loading + "\"Ramp\""));
     }
 
 
@@ -228,6 +181,7 @@ namespace Heddle
           case FabricTest::simple_shear:
             return shear_angles;
           case FabricTest::none:
+          case FabricTest::held:
           case FabricTest::uniaxial_tension:
             break;
         }
@@ -249,6 +203,8 @@ namespace Heddle
           case FabricTest::picture_frame:
           case FabricTest::simple_shear:
             return word(kind) + value;
+          case FabricTest::held:
+            return word(kind);
           case FabricTest::none:
             break;
         }
@@ -269,6 +225,8 @@ namespace Heddle
                         : Motion::Shear::picture_frame,
                       ramp);
       Motion::Both<double> strains = {{strain, strain / number}};
+      if (kind == FabricTest::held)
+        strains = {{0., 0.}};
       if (kind == FabricTest::uniaxial_tension)
         strains[direction == YarnSet::warp ? 1 : 0] = 0.;
       return Motion(strains, 0., Motion::Shear::picture_frame, ramp);
@@ -329,14 +287,10 @@ namespace Heddle
         for (const double number : numbers())
           {
             const Contributions::FabricMotion moved = motion(number);
-            list.push_back(
-              {name(number),
-               supports(moved, matrix),
-               moved,
-               {{!is_shear() && (kind != FabricTest::uniaxial_tension ||
-                                 direction == YarnSet::warp),
-                 !is_shear() && (kind != FabricTest::uniaxial_tension ||
-                                 direction == YarnSet::weft)}}});
+            list.push_back({name(number),
+                            supports(moved, matrix),
+                            moved,
+                            {{pulls(YarnSet::warp), pulls(YarnSet::weft)}}});
           }
       return list;
     }

@@ -115,6 +115,17 @@ namespace Heddle
           matrix.material.material();
           matrix.material.has_mean_dilatation(matrix.degree);
         }
+      require(are_held() || !plates.are_there(),
+              file.name() +
+                ": Plates/Compression is given, but nothing holds the fibers "
+                "between the plates; set \"Fabric loading/Kind\", to \"held\" "
+                "for instance, or declare a section \"Supports/Support 1\".");
+      require(
+        !matrix.enabled || !plates.are_there(),
+        file.name() +
+          ": Plates/Compression is given, but Matrix/Enabled is true: "
+          "plates press on fibers alone; move the sides \"z-, z+\" of the "
+          "matrix by a section \"Supports/Support 1\" instead.");
       for (const auto &support : supports)
         require(matrix.enabled || support->matrix_sides.empty(),
                 support->entry("Matrix sides") +

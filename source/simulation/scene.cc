@@ -2,6 +2,7 @@
 #include <heddle/base/file.h>
 #include <heddle/contributions/crossing_enforcement.h>
 #include <heddle/contributions/loads.h>
+#include <heddle/contributions/plates.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/post/bend.h>
 #include <heddle/simulation/fiber_placement.h>
@@ -12,6 +13,7 @@
 #include <heddle/textile/check_paths.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -357,6 +359,8 @@ namespace Heddle
       if (!parameters.loads.empty())
         stage.contributions.push_back(std::make_shared<Contributions::Loads>(
           *fiber_space, initial_blocks, parameters.loads));
+      if (parameters.plates.are_there())
+        add_plates(stage);
       if (make_own)
         for (const auto &own : make_own(*fiber_space, initial_blocks))
           stage.contributions.push_back(own);
@@ -379,6 +383,25 @@ namespace Heddle
         };
       add_friction(stage);
       all_stages.push_back(stage);
+    }
+
+
+
+    void
+    Scene::add_plates(Stage &stage) const
+    {
+      double                threshold = parameters.contact.threshold;
+      std::array<double, 2> extent    = {};
+      if (is_fabric())
+        {
+          // Not on its ends, which are held: where the yarns cross.
+          const auto width = fabric_size().width;
+          threshold        = parameters.settle.thresholds(threshold).back();
+          extent           = {{width[1], width[0]}};
+        }
+      stage.contributions.push_back(std::make_shared<Contributions::Plates>(
+        *fiber_space, parameters.plates, threshold, extent));
+      stage.plan.reach(parameters.plates.turning_points());
     }
 
 

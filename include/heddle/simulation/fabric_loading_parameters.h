@@ -22,7 +22,8 @@ namespace Heddle
       biaxial_tension,
       uniaxial_tension,
       picture_frame,
-      simple_shear
+      simple_shear,
+      held
     };
 
     /** How the user names them. */
@@ -41,6 +42,8 @@ namespace Heddle
             return "picture frame";
           case FabricTest::simple_shear:
             return "simple shear";
+          case FabricTest::held:
+            return "held";
         }
       return nullptr;
     }
@@ -117,10 +120,7 @@ namespace Heddle
       void
       check() const;
 
-      /**
-       * Load factors between 0 and 1 at which the ramp turns back, or where it
-       * begins to stay before it does so, in ascending order.
-       */
+      /** Of the ramp, see Heddle::turning_points(). */
       std::vector<double>
       turning_points() const;
 
@@ -129,6 +129,10 @@ namespace Heddle
       cases(const bool matrix) const;
 
     private:
+      /** Whether the test pulls along these yarns. */
+      bool
+      pulls(const YarnSet yarns) const;
+
       bool
       is_shear() const
       {

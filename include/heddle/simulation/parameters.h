@@ -4,6 +4,7 @@
 #include <heddle/base/parameter_file.h>
 #include <heddle/contact/contact_parameters.h>
 #include <heddle/contributions/load_parameters.h>
+#include <heddle/contributions/plate_parameters.h>
 #include <heddle/contributions/support_parameters.h>
 #include <heddle/io/output_parameters.h>
 #include <heddle/simulation/centerline_parameters.h>
@@ -58,6 +59,7 @@ namespace Heddle
       FabricLoadingParameters        fabric_loading;
       Contributions::SupportList     supports;
       Contributions::LoadList        loads;
+      Contributions::PlateParameters plates;
       Solver::LoadSteppingParameters load_stepping;
       Solver::NewtonParameters       newton;
       Solver::LinearSolverParameters linear_solver;

@@ -206,6 +206,10 @@ namespace Heddle
       add_load_stage(const std::string                           &name,
                      const std::shared_ptr<System::Contribution> &supports);
 
+      /** Plates that press on all fibers. */
+      void
+      add_plates(Stage &stage) const;
+
       /** What forces on the sides of the fabric are divided by. */
       Contributions::FabricSize
       fabric_size() const;

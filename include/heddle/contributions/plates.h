@@ -1,0 +1,223 @@
+#ifndef heddle_contributions_plates_h
+#define heddle_contributions_plates_h
+
+#include <heddle/base/expression.h>
+#include <heddle/contact/normal_law.h>
+#include <heddle/contributions/plate_parameters.h>
+#include <heddle/system/nonsmooth_contribution.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    using namespace dealii;
+
+    /**
+     * Contact of all fibers with two rigid, smooth plates at $z = z_0$ below
+     * and $z = z_1$ above them, which come nearer to each other. Material
+     * points of the axes, evenly spaced, are as deep in a plate as
+     * @f[ d = R - (z - z_0), \qquad d = R - (z_1 - z), @f]
+     * and feel the force per length p(d) of the normal law. Covered are the
+     * material points that are below a plate when a stage begins. The penalty
+     * of each fiber at each plate grows until it is no deeper than the
+     * threshold. d is linear in the unknowns, so that the tangent is exact.
+     */
+    class Plates : public System::NonsmoothContribution
+    {
+    public:
+      /**
+       * @p threshold of penetrations over the radius [-]; @p extent of the
+       * plates along x and y, amid all fibers, or 0 if they cover everything,
+       * and no pressure is told [mm].
+       */
+      Plates(const System::FiberSpace    &space,
+             const PlateParameters       &parameters,
+             const double                 threshold,
+             const std::array<double, 2> &extent);
+
+      std::string
+      name() const override
+      {
+        return "plates";
+      }
+
+      /** The plates touch the lowest and the highest surface. */
+      void
+      begin_stage(const System::State &state) override;
+
+      void
+      update(System::State &state) override;
+
+      void
+      update_trial(System::State &state) override
+      {
+        place_points(state);
+      }
+
+      bool
+      needs_new_pattern() const override;
+
+      void
+      add_pattern(const System::State  &state,
+                  System::BlockPattern &pattern) override;
+
+      void
+      assemble(const System::State &state,
+               System::BlockSystem &system) override;
+
+      std::pair<double, double>
+      slope_and_curvature(const System::State     &state,
+                          const System::Increment &increment) const override;
+
+      bool
+      adapt(const System::State &state) override;
+
+      std::string
+      objection(const System::State &state) const override;
+
+      /** Mean force where a fiber touches a plate, of a stretch of it [N]. */
+      double
+      typical_force() const override
+      {
+        return sums.n_stretches > 0.
+                 ? (sums.force[0] + sums.force[1]) / sums.n_stretches
+                 : 0.;
+      }
+
+      std::string
+      status() const override;
+
+      void
+      report(const System::State           &state,
+             std::map<std::string, double> &values) const override;
+
+      void
+      accept_step(const System::State &state) override;
+
+      void
+      reject_step(System::State &state) override;
+
+      void
+      save(ArchiveWriter &archive, const System::State &state) const override;
+
+      void
+      load(const ArchiveReader &archive, const System::State &state) override;
+
+    private:
+      /** Below and above. */
+      static constexpr unsigned int n_plates = 2;
+
+      template <typename Value>
+      using Both = std::array<Value, n_plates>;
+
+      /** A material point that is in a plate. */
+      struct Point
+      {
+        unsigned int                touch; /**< number of fiber and plate */
+        unsigned int                interval;
+        std::array<unsigned int, 4> blocks;      /**< local ones */
+        std::array<double, 4>       values;      /**< of the axis [-, mm] */
+        double                      penetration; /**< [mm] */
+        double                      length;      /**< it stands for [mm] */
+      };
+
+      /** An own fiber at one plate. */
+      struct Touch
+      {
+        double begin       = 0.; /**< it is covered from here ... [mm] */
+        double end         = 0.; /**< ... to here [mm] */
+        double penalty     = 0.; /**< [N/mm^2] */
+        double hardened    = 1.; /**< by how much it grew in this step */
+        double penetration = 0.; /**< deepest [mm] */
+        double force       = 0.; /**< [N] */
+        double energy      = 0.; /**< [N mm] */
+      };
+
+      /** Over all ranks. */
+      struct Sums
+      {
+        Both<double> force       = {}; /**< on each plate [N] */
+        double       energy      = 0.; /**< [N mm] */
+        double       n_stretches = 0.; /**< where a fiber touches a plate */
+      };
+
+      unsigned int
+      fiber_of(const unsigned int touch) const
+      {
+        return space.owned_fibers().first + touch / n_plates;
+      }
+
+      /** 1 for the upper plate, -1 for the lower one: outwards along z. */
+      static double
+      outwards(const unsigned int touch)
+      {
+        return touch % n_plates == 0 ? -1. : 1.;
+      }
+
+      Contact::NormalLaw
+      law(const unsigned int touch) const;
+
+      double
+      force(const Point &point) const;
+
+      double
+      first_penalty(const unsigned int f) const;
+
+      /** Where the plates are at this load factor [mm]. */
+      Both<double>
+      positions(const double load_factor) const;
+
+      /** Find which parts of fibers the plates cover now. */
+      void
+      cover(const System::State &state);
+
+      /** Find the points that are in a plate. */
+      void
+      place_points(const System::State &state);
+
+      /** Those of one interval of a fiber at one plate. */
+      void
+      place_points(const System::State &state,
+                   const unsigned int   touch,
+                   const unsigned int   interval,
+                   const double         plate);
+
+      void
+      gather_sums();
+
+      /** Fibers and intervals with points in plates, in order. */
+      std::vector<std::pair<unsigned int, unsigned int>>
+      touched_intervals() const;
+
+      /** What growing penalties brought to the energy in this step [N mm]. */
+      double
+      energy_of_hardening() const;
+
+      const System::FiberSpace   &space;
+      const Expression            compression;
+      const double                threshold; /**< [-] */
+      const std::array<double, 2> extent;    /**< [mm] */
+
+      Both<double>       begin = {}; /**< positions at first [mm] */
+      std::vector<Touch> touches;    /**< of all own fibers, each at both */
+      std::vector<Point> points;
+      std::vector<std::pair<unsigned int, unsigned int>> pattern_intervals;
+
+      Sums   sums;
+      double deepest = 0.; /**< over the radius, over all ranks [-] */
+
+      /** Since the last step that was accepted. */
+      std::vector<Touch> accepted_touches;
+      Both<double>       accepted_positions = {};
+      Both<double>       accepted_force     = {};
+      double             work = 0., hardening = 0.; /**< [N mm] */
+    };
+  } // namespace Contributions
+} // namespace Heddle
+
+#endif

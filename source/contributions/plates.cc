@@ -1,0 +1,581 @@
+#include <heddle/base/reduce.h>
+#include <heddle/contributions/plates.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace Heddle
+{
+  namespace Contributions
+  {
+    namespace
+    {
+      /** Points within one radius of a fiber. */
+      constexpr double points_per_radius = 8.;
+
+      /** First penalty over the stiffness of the section, see FiberContact. */
+      constexpr double softness_at_first = 0.2;
+
+      /** A penalty aims below the threshold, lest it has to be raised again. */
+      constexpr double aim = 0.75;
+
+      /** Largest factor by which a penalty grows at once, and in all. */
+      constexpr double growth_at_once = 4., growth_in_all = 1e7;
+
+
+
+      /** Material points of an interval of fiber @p f, each amid its part. */
+      unsigned int
+      n_places(const System::FiberSpace &space,
+               const unsigned int        f,
+               const unsigned int        interval)
+      {
+        const double *const s = space.node_positions(f) + interval;
+        return std::ceil(points_per_radius * (s[1] - s[0]) /
+                         space.fiber(f).radius);
+      }
+
+
+
+      /** Call @p action (place, s), s the arc length, for those of a fiber. */
+      template <typename Action>
+      void
+      for_each_place(const System::FiberSpace &space,
+                     const unsigned int        f,
+                     const Action             &action)
+      {
+        const double *const s = space.node_positions(f);
+        for (unsigned int i = 0; i + 1 < space.fiber(f).n_nodes; ++i)
+          for (unsigned int k = 0; k < n_places(space, f, i); ++k)
+            {
+              const double at =
+                s[i] + (k + 0.5) / n_places(space, f, i) * (s[i + 1] - s[i]);
+              action(space.locate(f, at), at);
+            }
+      }
+
+
+
+      /** A cubic of 0 <= t <= 1. */
+      class Cubic
+      {
+      public:
+        /** @p y are its values at 0, 1/3, 2/3 and 1. */
+        explicit Cubic(const std::array<double, 4> &y)
+          : c{{y[0],
+               0.5 * (-11. * y[0] + 18. * y[1] - 9. * y[2] + 2. * y[3]),
+               0.5 * (18. * y[0] - 45. * y[1] + 36. * y[2] - 9. * y[3]),
+               4.5 * (y[3] - y[0] + 3. * (y[1] - y[2]))}}
+        {
+        }
+
+        double
+        value(const double t) const
+        {
+          return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+        }
+
+        /** No value is larger: the largest control point of Bezier's form. */
+        double
+        bound() const
+        {
+          return std::max({c[0],
+                           c[0] + c[1] / 3.,
+                           c[0] + (2. * c[1] + c[2]) / 3.,
+                           value(1.)});
+        }
+
+      private:
+        const std::array<double, 4> c;
+      };
+    } // namespace
+
+
+
+    Plates::Plates(const System::FiberSpace    &space,
+                   const PlateParameters       &parameters,
+                   const double                 threshold,
+                   const std::array<double, 2> &extent)
+      : space(space)
+      , compression(parameters.compression, PlateParameters::entry)
+      , threshold(threshold)
+      , extent(extent)
+    {
+      const auto owned = space.owned_fibers();
+      touches.resize(n_plates * (owned.second - owned.first));
+      for (unsigned int k = 0; k < touches.size(); ++k)
+        touches[k].penalty = first_penalty(fiber_of(k));
+      accepted_touches = touches;
+    }
+
+
+
+    double
+    Plates::first_penalty(const unsigned int f) const
+    {
+      // Hertz' line contact of a cylinder with something rigid,
+      // p = pi/4 E d.
+      const System::Fiber &fiber = space.fiber(f);
+      return softness_at_first * fiber.section.axial /
+             (4. * fiber.radius * fiber.radius);
+    }
+
+
+
+    Contact::NormalLaw
+    Plates::law(const unsigned int touch) const
+    {
+      return {0.5 * threshold * space.fiber(fiber_of(touch)).radius};
+    }
+
+
+
+    double
+    Plates::force(const Point &point) const
+    {
+      return point.length *
+             law(point.touch)
+               .pressure(touches[point.touch].penalty, point.penetration);
+    }
+
+
+
+    Plates::Both<double>
+    Plates::positions(const double load_factor) const
+    {
+      const double approach = 0.5 * (begin[1] - begin[0]) *
+                              compression.value(Tensor<1, 3>(), load_factor);
+      return {{begin[0] + approach, begin[1] - approach}};
+    }
+
+
+
+    void
+    Plates::cover(const System::State &state)
+    {
+      // From the corner of all nodes with the least x and y to the other one.
+      const double          none = std::numeric_limits<double>::max();
+      std::array<double, 4> box  = {{-none, -none, -none, -none}};
+      for (unsigned int k = 0; k < touches.size(); k += n_plates)
+        for (unsigned int i = 0; i < space.fiber(fiber_of(k)).n_nodes; ++i)
+          {
+            const Tensor<1, 3> &x =
+              state.fiber(fiber_of(k))[i * space.n_blocks_per_node()];
+            for (unsigned int d = 0; d < 2; ++d)
+              {
+                box[d]     = std::max(box[d], -x[d]);
+                box[2 + d] = std::max(box[2 + d], x[d]);
+              }
+          }
+      max_over_ranks(box, space.communicator());
+
+      for (unsigned int k = 0; k < touches.size(); ++k)
+        {
+          const unsigned int f = fiber_of(k);
+          touches[k].begin     = space.fiber(f).length;
+          touches[k].end       = 0.;
+          for_each_place(
+            space, f, [&](const System::MaterialPoint &place, const double s) {
+              const Tensor<1, 3> x       = place.position(state.fiber(f));
+              bool               covered = true;
+              for (unsigned int d = 0; d < 2; ++d)
+                covered &=
+                  extent[d] == 0. ||
+                  std::abs(2. * x[d] - (box[2 + d] - box[d])) <= extent[d];
+              if (!covered)
+                return;
+              touches[k].begin = std::min(touches[k].begin, s);
+              touches[k].end   = std::max(touches[k].end, s);
+            });
+        }
+    }
+
+
+
+    void
+    Plates::begin_stage(const System::State &state)
+    {
+      cover(state);
+      // Outwards of what is lowest, and of what is highest.
+      begin.fill(-std::numeric_limits<double>::max());
+      for (unsigned int k = 0; k < touches.size(); ++k)
+        {
+          const unsigned int f = fiber_of(k);
+          for_each_place(
+            space, f, [&](const System::MaterialPoint &place, const double s) {
+              if (s >= touches[k].begin && s <= touches[k].end)
+                begin[k % n_plates] =
+                  std::max(begin[k % n_plates],
+                           outwards(k) * place.position(state.fiber(f))[2] +
+                             space.fiber(f).radius);
+            });
+        }
+      max_over_ranks(begin, space.communicator());
+      begin[0]           = -begin[0];
+      accepted_touches   = touches;
+      accepted_positions = positions(state.load_factor);
+    }
+
+
+
+    void
+    Plates::update(System::State &state)
+    {
+      place_points(state);
+      gather_sums();
+    }
+
+
+
+    void
+    Plates::place_points(const System::State &state)
+    {
+      const Both<double> plates = positions(state.load_factor);
+      points.clear();
+      for (unsigned int k = 0; k < touches.size(); ++k)
+        {
+          touches[k].penetration = touches[k].force = touches[k].energy = 0.;
+          const unsigned int  f     = fiber_of(k);
+          const double *const s     = space.node_positions(f);
+          const Tensor<1, 3> *q     = state.fiber(f);
+          const double        plate = plates[k % n_plates];
+          const auto          depth = [&](const unsigned int node) {
+            return space.fiber(f).radius +
+                   outwards(k) *
+                     (q[node * space.n_blocks_per_node()][2] - plate);
+          };
+          // Between two nodes a fiber gets no further than it is long.
+          for (unsigned int i = 0; i + 1 < space.fiber(f).n_nodes; ++i)
+            if (std::max(depth(i), depth(i + 1)) > s[i] - s[i + 1])
+              place_points(state, k, i, plate);
+        }
+    }
+
+
+
+    void
+    Plates::place_points(const System::State &state,
+                         const unsigned int   touch,
+                         const unsigned int   interval,
+                         const double         plate)
+    {
+      const unsigned int  f     = fiber_of(touch);
+      Touch              &sum   = touches[touch];
+      const double *const s     = space.node_positions(f) + interval;
+      const double        h     = s[1] - s[0];
+      const auto          depth = [&](const double t) {
+        return space.fiber(f).radius +
+               outwards(touch) *
+                 (space.locate(f, s[0] + t * h).position(state.fiber(f))[2] -
+                  plate);
+      };
+      const std::array<double, 4> depths = {
+        {depth(0.), depth(1. / 3.), depth(2. / 3.), depth(1.)}};
+      const Cubic cubic(depths);
+      if (cubic.bound() <= 0.)
+        return;
+
+      const unsigned int n = n_places(space, f, interval);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double t  = (i + 0.5) / n;
+          const double at = s[0] + t * h;
+          Point        point;
+          point.penetration = cubic.value(t);
+          if (point.penetration <= 0. || at < sum.begin || at > sum.end)
+            continue;
+          const System::MaterialPoint place = space.locate(f, at);
+          point.touch                       = touch;
+          point.interval                    = interval;
+          point.values                      = place.values;
+          point.length                      = h / n;
+          for (unsigned int j = 0; j < place.blocks.size(); ++j)
+            point.blocks[j] = state.local_block(f) + place.blocks[j];
+          sum.penetration = std::max(sum.penetration, point.penetration);
+          sum.force += force(point);
+          sum.energy +=
+            point.length * law(touch).energy(sum.penalty, point.penetration);
+          points.push_back(point);
+        }
+    }
+
+
+
+    void
+    Plates::gather_sums()
+    {
+      sums    = {};
+      deepest = 0.;
+      for (unsigned int k = 0; k < touches.size(); ++k)
+        {
+          sums.force[k % n_plates] += touches[k].force;
+          sums.energy += touches[k].energy;
+          deepest = std::max(
+            deepest, touches[k].penetration / space.fiber(fiber_of(k)).radius);
+        }
+      for (auto point = points.begin(); point != points.end(); ++point)
+        if (point == points.begin() || point->touch != (point - 1)->touch ||
+            point->interval > (point - 1)->interval + 1)
+          sums.n_stretches += 1.;
+      sum_over_ranks(sums, space.communicator());
+      max_over_ranks(deepest, space.communicator());
+    }
+
+
+
+    std::vector<std::pair<unsigned int, unsigned int>>
+    Plates::touched_intervals() const
+    {
+      std::vector<std::pair<unsigned int, unsigned int>> result;
+      for (const Point &point : points)
+        result.emplace_back(fiber_of(point.touch), point.interval);
+      std::sort(result.begin(), result.end());
+      result.erase(std::unique(result.begin(), result.end()), result.end());
+      return result;
+    }
+
+
+
+    bool
+    Plates::needs_new_pattern() const
+    {
+      const auto needed = touched_intervals();
+      return !std::includes(pattern_intervals.begin(),
+                            pattern_intervals.end(),
+                            needed.begin(),
+                            needed.end());
+    }
+
+
+
+    void
+    Plates::add_pattern(const System::State &, System::BlockPattern &pattern)
+    {
+      pattern_intervals = touched_intervals();
+      for (const Point &point : points)
+        pattern.couple(4, point.blocks.data());
+    }
+
+
+
+    void
+    Plates::assemble(const System::State &, System::BlockSystem &system)
+    {
+      std::array<double, 12>  residual;
+      std::array<double, 144> tangent;
+      for (auto point = points.begin(); point != points.end();)
+        {
+          // Those of an interval are of the same blocks.
+          const auto first = point;
+          residual.fill(0.);
+          tangent.fill(0.);
+          for (; point != points.end() && point->touch == first->touch &&
+                 point->interval == first->interval;
+               ++point)
+            {
+              const double pushes = outwards(point->touch) * force(*point);
+              const double stiffness =
+                point->length *
+                law(point->touch)
+                  .stiffness(touches[point->touch].penalty, point->penetration);
+              for (unsigned int i = 0; i < 4; ++i)
+                {
+                  residual[3 * i + 2] += pushes * point->values[i];
+                  for (unsigned int j = 0; j < 4; ++j)
+                    tangent[12 * (3 * i + 2) + 3 * j + 2] +=
+                      stiffness * point->values[i] * point->values[j];
+                }
+            }
+          system.add(4, first->blocks.data(), residual.data(), tangent.data());
+        }
+    }
+
+
+
+    std::pair<double, double>
+    Plates::slope_and_curvature(const System::State &,
+                                const System::Increment &increment) const
+    {
+      double slope = 0., curvature = 0.;
+      for (const Point &point : points)
+        {
+          double sinks = 0.;
+          for (unsigned int i = 0; i < 4; ++i)
+            sinks += outwards(point.touch) * point.values[i] *
+                     increment[point.blocks[i]][2];
+          slope += force(point) * sinks;
+          curvature +=
+            point.length *
+            law(point.touch)
+              .stiffness(touches[point.touch].penalty, point.penetration) *
+            sinks * sinks;
+        }
+      return {slope, curvature};
+    }
+
+
+
+    bool
+    Plates::adapt(const System::State &)
+    {
+      bool changed = false;
+      for (unsigned int k = 0; k < touches.size(); ++k)
+        {
+          Touch       &touch   = touches[k];
+          const double allowed = threshold * space.fiber(fiber_of(k)).radius;
+          const double most    = growth_in_all * first_penalty(fiber_of(k));
+          if (touch.penetration <= allowed || touch.penalty >= most)
+            continue;
+          const double growth = std::min({touch.penetration / (aim * allowed),
+                                          growth_at_once,
+                                          most / touch.penalty});
+          touch.penalty *= growth;
+          touch.hardened *= growth;
+          changed = true;
+        }
+      return Utilities::MPI::logical_or(changed, space.communicator());
+    }
+
+
+
+    std::string
+    Plates::objection(const System::State &) const
+    {
+      if (deepest <= threshold)
+        return "";
+      std::ostringstream text;
+      text << "fibers are " << deepest << " radii deep in the plates, above "
+           << threshold;
+      return text.str();
+    }
+
+
+
+    double
+    Plates::energy_of_hardening() const
+    {
+      // As FiberContact has it, for the force of each fiber on a plate.
+      double sum = 0.;
+      for (unsigned int k = 0; k < touches.size(); ++k)
+        if (touches[k].force > 0.)
+          sum += touches[k].energy * (touches[k].hardened - 1.) *
+                 accepted_touches[k].force / touches[k].force;
+      return Utilities::MPI::sum(sum, space.communicator());
+    }
+
+
+
+    void
+    Plates::accept_step(const System::State &state)
+    {
+      hardening += energy_of_hardening();
+      const Both<double> now = positions(state.load_factor);
+      for (unsigned int plate = 0; plate < n_plates; ++plate)
+        work += 0.5 * (accepted_force[plate] + sums.force[plate]) *
+                outwards(plate) * (accepted_positions[plate] - now[plate]);
+      accepted_force     = sums.force;
+      accepted_positions = now;
+      for (Touch &touch : touches)
+        touch.hardened = 1.;
+      accepted_touches = touches;
+    }
+
+
+
+    void
+    Plates::reject_step(System::State &)
+    {
+      touches = accepted_touches;
+      points.clear();
+    }
+
+
+
+    std::string
+    Plates::status() const
+    {
+      std::ostringstream text;
+      text << "plates " << std::scientific << std::setprecision(1)
+           << 0.5 * (sums.force[0] + sums.force[1]) << " N";
+      return text.str();
+    }
+
+
+
+    void
+    Plates::report(const System::State &,
+                   std::map<std::string, double> &values) const
+    {
+      const double force    = 0.5 * (accepted_force[0] + accepted_force[1]);
+      const double distance = accepted_positions[1] - accepted_positions[0];
+      values["plate_distance[mm]"] = distance;
+      values["plate_force[N]"]     = force;
+      if (extent[0] > 0.)
+        values["plate_pressure[MPa]"] = force / (extent[0] * extent[1]);
+      values["plate_energy[N*mm]"]             = sums.energy;
+      values["plate_hardening[N*mm]"]          = hardening;
+      values["max_plate_penetration_ratio[-]"] = deepest;
+      values["external_work[N*mm]"] += work;
+    }
+
+
+
+    void
+    Plates::save(ArchiveWriter &archive, const System::State &) const
+    {
+      std::vector<double> rows;
+      for (const Touch &touch : accepted_touches)
+        rows.insert(rows.end(),
+                    {touch.begin, touch.end, touch.penalty, touch.force});
+      archive.write(name() + "/touches",
+                    n_plates * space.owned_fibers().first,
+                    n_plates * space.n_fibers(),
+                    rows,
+                    4);
+      for (unsigned int plate = 0; plate < n_plates; ++plate)
+        {
+          const std::string of = name() + (plate == 0 ? "/lower" : "/upper");
+          archive.write_number(of + " begin", begin[plate]);
+          archive.write_number(of + " position", accepted_positions[plate]);
+          archive.write_number(of + " force", accepted_force[plate]);
+        }
+      archive.write_number(name() + "/work", work);
+      archive.write_number(name() + "/hardening", hardening);
+    }
+
+
+
+    void
+    Plates::load(const ArchiveReader &archive, const System::State &)
+    {
+      const std::vector<double> rows =
+        archive.read(name() + "/touches",
+                     n_plates * space.owned_fibers().first,
+                     touches.size(),
+                     4);
+      for (unsigned int k = 0; k < touches.size(); ++k)
+        {
+          touches[k].begin   = rows[4 * k];
+          touches[k].end     = rows[4 * k + 1];
+          touches[k].penalty = rows[4 * k + 2];
+          touches[k].force   = rows[4 * k + 3];
+        }
+      accepted_touches = touches;
+      for (unsigned int plate = 0; plate < n_plates; ++plate)
+        {
+          const std::string of = name() + (plate == 0 ? "/lower" : "/upper");
+          begin[plate]         = archive.read_number(of + " begin");
+          accepted_positions[plate] = archive.read_number(of + " position");
+          accepted_force[plate]     = archive.read_number(of + " force");
+        }
+      work      = archive.read_number(name() + "/work");
+      hardening = archive.read_number(name() + "/hardening");
+    }
+  } // namespace Contributions
+} // namespace Heddle
