@@ -93,6 +93,20 @@ namespace Heddle
 
 
 
+    std::string
+    FabricLoadingParameters::strain_in_percent() const
+    {
+      // More than fabrics of other fibers than rubber bear.
+      constexpr double largest_strain = 0.5;
+      if (!is_active() || is_shear() || std::abs(strain) <= largest_strain)
+        return "";
+      return fabric_loading + "\"Strain\" is " + number_text(strain) +
+             ", which is " + number_text(100. * strain) +
+             " %: a strain is a change of length over length";
+    }
+
+
+
     void
     FabricLoadingParameters::check() const
     {
@@ -278,6 +292,7 @@ namespace Heddle
 
     Contributions::SupportList
     FabricLoadingParameters::supports(const Contributions::FabricMotion &motion,
+                                      const FibersAtSides               &fibers,
                                       const bool matrix) const
     {
       const auto displacements = motion.displacements();
@@ -291,7 +306,7 @@ namespace Heddle
             const bool lateral    = uniaxial && family != direction;
             auto       support    = std::make_shared<Contributions::Support>();
             support->where        = "Fabric loading";
-            support->nodes.fibers = word(family);
+            support->nodes.fibers = fibers[list.size()];
             support->nodes.nodes  = side == "-"
                                       ? Contributions::ChosenNodes::first_end
                                       : Contributions::ChosenNodes::last_end;
@@ -321,7 +336,8 @@ namespace Heddle
 
 
     std::vector<Contributions::FabricCase>
-    FabricLoadingParameters::cases(const bool matrix) const
+    FabricLoadingParameters::cases(const FibersAtSides &fibers,
+                                   const bool           matrix) const
     {
       std::vector<Contributions::FabricCase> list;
       if (is_active())
@@ -330,7 +346,7 @@ namespace Heddle
             const Contributions::FabricMotion moved = motion(number);
             list.push_back(
               {name(number),
-               supports(moved, matrix),
+               supports(moved, fibers, matrix),
                moved,
                {{!is_shear() && (kind != FabricTest::uniaxial_tension ||
                                  direction == YarnSet::warp),

@@ -7,6 +7,7 @@
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/textile/lost_fibers.h>
+#include <heddle/textile/spun_yarns.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -255,6 +256,9 @@ namespace Heddle
       for (const std::string &note :
            {woven ? std::string()
                   : Textile::lost_fibers(paths, parameters.centerlines.file),
+            woven ? std::string()
+                  : Textile::spun_yarns(paths, parameters.centerlines.file),
+            parameters.fabric_loading.strain_in_percent(),
             turned_back(),
             crumbled_fiber(),
             missed_points()})
