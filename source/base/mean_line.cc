@@ -1,22 +1,14 @@
 #include <heddle/base/mean_line.h>
+#include <heddle/base/yarn_reach.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace Heddle
 {
   namespace
   {
-    /** Of a yarn's length, that a fiber should not lack at an end [-]. */
-    constexpr double large_part = 0.1;
-
-    /** From end to end of a yarn that has two ends, over its length [-]. */
-    constexpr double least_way = 0.5;
-
-
-
     /** Lengths along @p line up to each of its points. */
     std::vector<double>
     lengths_along(const Polyline &line)
@@ -70,10 +62,11 @@ namespace Heddle
         const Tensor<1, 3> point = fiber[s] + before / (before - after) * chord;
         if ((point - plane.point).norm() < nearest)
           {
-            nearest        = (point - plane.point).norm();
-            passage.found  = true;
-            passage.point  = point;
-            passage.cosine = std::abs(chord * plane.normal) / chord.norm();
+            nearest       = (point - plane.point).norm();
+            passage.found = true;
+            passage.point = point;
+            passage.direction =
+              (after > before ? 1. : -1.) / chord.norm() * chord;
           }
       }
     return passage;
@@ -81,70 +74,99 @@ namespace Heddle
 
 
 
+  namespace
+  {
+    /** The mean of fibers that run from end to end of their yarn. */
+    Polyline
+    mean_of_whole(const std::vector<Polyline> &fibers,
+                  const unsigned int           n_points)
+    {
+      const double       weight = 1. / fibers.size();
+      Polyline           mean(n_points);
+      const Tensor<1, 3> direction = fibers[0].back() - fibers[0].front();
+      for (const Polyline &fiber : fibers)
+        {
+          const bool backward = (fiber.back() - fiber.front()) * direction < 0.;
+          const std::vector<double> lengths = lengths_along(fiber);
+          for (unsigned int k = 0; k < n_points; ++k)
+            {
+              const unsigned int i = backward ? n_points - 1 - k : k;
+              mean[k] +=
+                weight *
+                point_at(fiber, lengths, lengths.back() * i / (n_points - 1));
+            }
+        }
+      return mean;
+    }
+
+
+
+    /** A line along a yarn of which no fiber runs from end to end. */
+    Polyline
+    line_of_spun(const std::vector<Polyline> &fibers,
+                 const YarnReach             &reach,
+                 const unsigned int           n_points)
+    {
+      const Tensor<1, 3> &along   = reach.direction();
+      double              longest = 0.;
+      Tensor<1, 3>        start;
+      for (const Polyline &fiber : fibers)
+        {
+          longest =
+            std::max(longest, std::abs((fiber.back() - fiber.front()) * along));
+          start += fiber.front() / double(fibers.size());
+        }
+      start += (reach.extent()[0] - start * along) * along;
+
+      const double       length  = reach.extent()[1] - reach.extent()[0];
+      const unsigned int n_steps = std::ceil(n_points * length / longest);
+      const double       step    = length / n_steps;
+      Polyline           line(1, start);
+      Tensor<1, 3>       beside;
+      unsigned int       n_passages = 0;
+      for (unsigned int k = 0; k < n_steps; ++k)
+        {
+          const CuttingPlane plane{line.back() + 0.5 * step * along, along};
+          Tensor<1, 3>       sum, places;
+          unsigned int       n_here = 0;
+          for (const Polyline &fiber : fibers)
+            {
+              const Passage passage = pass_through(fiber, plane);
+              if (!passage.found)
+                continue;
+              sum += passage.direction;
+              places += passage.point;
+              ++n_here;
+            }
+          // Where no fiber is, the line goes straight on.
+          const Tensor<1, 3> way =
+            n_here == 0 ? step * along : step / (sum * along) * sum;
+          beside += places - double(n_here) * (line.back() + 0.5 * way);
+          n_passages += n_here;
+          line.push_back(line.back() + way);
+        }
+      for (Tensor<1, 3> &point : line)
+        point += beside / n_passages;
+      return line;
+    }
+  } // namespace
+
+
+
   Polyline
   mean_line(const std::vector<Polyline> &fibers, const unsigned int n_points)
   {
-    const double       weight = 1. / fibers.size();
-    Polyline           mean(n_points);
-    const Tensor<1, 3> direction = fibers[0].back() - fibers[0].front();
-    for (const Polyline &fiber : fibers)
-      {
-        const bool backward = (fiber.back() - fiber.front()) * direction < 0.;
-        const std::vector<double> lengths = lengths_along(fiber);
-        for (unsigned int k = 0; k < n_points; ++k)
-          {
-            const unsigned int i = backward ? n_points - 1 - k : k;
-            mean[k] +=
-              weight *
-              point_at(fiber, lengths, lengths.back() * i / (n_points - 1));
-          }
-      }
-    return mean;
-  }
-
-
-
-  std::vector<unsigned int>
-  short_fibers(const std::vector<Polyline> &fibers)
-  {
-    Tensor<1, 3> span;
-    double       longest = 0.;
-    for (const Polyline &fiber : fibers)
-      {
-        const Tensor<1, 3> own = fiber.back() - fiber.front();
-        span += own * span < 0. ? -own : own;
-        longest = std::max(longest, lengths_along(fiber).back());
-      }
-    const double norm = span.norm();
-    if (norm < least_way * longest * fibers.size())
-      return {};
-    std::vector<double> low, high;
-    for (const Polyline &fiber : fibers)
-      {
-        const double a = fiber.front() * span / norm;
-        const double b = fiber.back() * span / norm;
-        low.push_back(std::min(a, b));
-        high.push_back(std::max(a, b));
-      }
-    const unsigned int quarter = (fibers.size() - 1) / 4;
-    auto               lows = low, highs = high;
-    std::nth_element(lows.begin(), lows.begin() + quarter, lows.end());
-    std::nth_element(highs.begin(),
-                     highs.begin() + quarter,
-                     highs.end(),
-                     std::greater<double>());
-    const double begin = lows[quarter], end = highs[quarter];
-
-    std::vector<unsigned int> result;
+    const YarnReach reach(fibers);
+    if (reach.is_spun())
+      return line_of_spun(fibers, reach, n_points);
+    const std::vector<unsigned int> lost = reach.short_fibers();
+    if (lost.empty())
+      return mean_of_whole(fibers, n_points);
+    std::vector<Polyline> whole;
     for (unsigned int f = 0; f < fibers.size(); ++f)
-      if (low[f] > begin + large_part * (end - begin) ||
-          high[f] < end - large_part * (end - begin))
-        result.push_back(f);
-
-    // Where none runs from end to end, as in a spun yarn, all are as good.
-    if (result.size() == fibers.size())
-      return {};
-    return result;
+      if (!std::binary_search(lost.begin(), lost.end(), f))
+        whole.push_back(fibers[f]);
+    return mean_of_whole(whole, n_points);
   }
 
 

@@ -56,6 +56,14 @@ namespace Heddle
             parse(*load, "Force per length", load->force_per_length));
         }
       place(reference);
+
+      // As of supports: told before a fabric settles.
+      throw_together(
+        [&]() {
+          for (const double load_factor : {1., 0.})
+            evaluate_all(load_factor);
+        },
+        space.communicator());
     }
 
 

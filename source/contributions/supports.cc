@@ -55,6 +55,12 @@ namespace Heddle
             }
           motions.push_back(std::move(motion));
         }
+
+      // A fabric settles for long before it is loaded: what a formula has no
+      // value for is told now, as far as it is known.
+      for (const double load_factor : {0., 1.})
+        for (const HeldBlock &held : blocks)
+          target(held, load_factor);
     }
 
 

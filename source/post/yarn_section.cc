@@ -74,8 +74,8 @@ namespace Heddle
           section.points.emplace_back(place * across, place * up);
           section.centroid += Tensor<1, 2>({place * across, place * up});
           section.center += passage.point;
-          section.fiber_area +=
-            numbers::PI * radii[f] * radii[f] / passage.cosine;
+          section.fiber_area += numbers::PI * radii[f] * radii[f] /
+                                (passage.direction * plane.normal);
           radii_found.push_back(radii[f]);
         }
       if (section.points.empty())

@@ -88,6 +88,20 @@ namespace Heddle
 
 
 
+    std::string
+    FabricLoadingParameters::strain_in_percent() const
+    {
+      // More than fabrics of other fibers than rubber bear.
+      constexpr double largest_strain = 0.5;
+      if (!is_active() || is_shear() || std::abs(strain) <= largest_strain)
+        return "";
+      return fabric_loading + "\"Strain\" is " + number_text(strain) +
+             ", which is " + number_text(100. * strain) +
+             " %: a strain is a change of length over length";
+    }
+
+
+
     void
     FabricLoadingParameters::check() const
     {
@@ -236,6 +250,7 @@ namespace Heddle
 
     Contributions::SupportList
     FabricLoadingParameters::supports(const Contributions::FabricMotion &motion,
+                                      const FibersAtSides               &fibers,
                                       const bool matrix) const
     {
       const auto displacements = motion.displacements();
@@ -249,7 +264,7 @@ namespace Heddle
             const bool lateral    = uniaxial && family != direction;
             auto       support    = std::make_shared<Contributions::Support>();
             support->where        = "Fabric loading";
-            support->nodes.fibers = word(family);
+            support->nodes.fibers = fibers[list.size()];
             support->nodes.nodes  = upper
                                       ? Contributions::ChosenNodes::last_end
                                       : Contributions::ChosenNodes::first_end;
@@ -280,7 +295,8 @@ namespace Heddle
 
 
     std::vector<Contributions::FabricCase>
-    FabricLoadingParameters::cases(const bool matrix) const
+    FabricLoadingParameters::cases(const FibersAtSides &fibers,
+                                   const bool           matrix) const
     {
       std::vector<Contributions::FabricCase> list;
       if (is_active())
@@ -288,7 +304,7 @@ namespace Heddle
           {
             const Contributions::FabricMotion moved = motion(number);
             list.push_back({name(number),
-                            supports(moved, matrix),
+                            supports(moved, fibers, matrix),
                             moved,
                             {{pulls(YarnSet::warp), pulls(YarnSet::weft)}}});
           }

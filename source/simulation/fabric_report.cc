@@ -1,3 +1,4 @@
+#include <heddle/base/yarn_reach.h>
 #include <heddle/base/yarn_set.h>
 #include <heddle/post/centerline.h>
 #include <heddle/post/fabric_sheet.h>
@@ -24,22 +25,14 @@ namespace Heddle
 
 
 
-      /** The mean line of a yarn, as fine as its fibers. Those that end before
-       * it does have no place along it that is known. */
+      /** The mean line of a yarn, as fine as its fibers. */
       Polyline
       mean_line_of(const std::vector<Polyline> &fibers)
       {
         std::size_t n = n_mean_points;
         for (const Polyline &fiber : fibers)
           n = std::max(n, fiber.size());
-        const std::vector<unsigned int> lost = short_fibers(fibers);
-        if (lost.empty())
-          return mean_line(fibers, n);
-        std::vector<Polyline> whole;
-        for (unsigned int f = 0; f < fibers.size(); ++f)
-          if (!std::binary_search(lost.begin(), lost.end(), f))
-            whole.push_back(fibers[f]);
-        return mean_line(whole, n);
+        return mean_line(fibers, n);
       }
 
 
@@ -141,13 +134,15 @@ namespace Heddle
         {
           const std::string of_set = yarn.set.empty() ? "" : yarn.set + "_";
           const auto        mean   = mean_line_of(yarn.lines);
+          const bool        spun   = YarnReach(yarn.lines).is_spun();
           add(of_set + "crimp[-]", crimp(mean));
           for (unsigned int i = 0; i < n_stations; ++i)
             {
-              // Near the ends of a yarn some of its fibers may be missing.
+              // Near the ends of a yarn some of its fibers may be missing; one
+              // that is spun never has all.
               const auto section = Post::cut_yarn(
                 yarn.lines, yarn.radii, plane_at(mean, station(i, n_stations)));
-              if (section.n_missing > 0)
+              if (section.points.empty() || (section.n_missing > 0 && !spun))
                 continue;
               add(of_set + "aspect_ratio[-]", section.aspect_ratio());
               add(of_set + "volume_fraction[-]", section.volume_fraction());

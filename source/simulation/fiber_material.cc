@@ -71,7 +71,8 @@ namespace Heddle
         "it. 0: not known, or, in a weave, that of its yarns "
         "(Weave/Warp yarns/Density), which it must not contradict [g/cm^3].",
         ParameterAcceptor::prm,
-        Patterns::Double(0.));
+        // Of osmium 22.6; in kg/m^3 they are a thousand times as large.
+        Patterns::Double(0., 25.));
     }
 
 

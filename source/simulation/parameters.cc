@@ -1,5 +1,6 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/simulation/parameters.h>
+#include <heddle/textile/matrix_grid.h>
 
 #include <sstream>
 
@@ -114,6 +115,7 @@ namespace Heddle
         {
           matrix.material.material();
           matrix.material.has_mean_dilatation(matrix.degree);
+          Textile::check_description(matrix.mesh.description(), "Matrix");
         }
       require(are_held() || !plates.are_there(),
               file.name() +

@@ -11,6 +11,7 @@
 #include <heddle/simulation/scene_notes.h>
 #include <heddle/simulation/yarn_guides.h>
 #include <heddle/textile/check_paths.h>
+#include <heddle/textile/spun_yarns.h>
 
 #include <algorithm>
 #include <array>
@@ -326,11 +327,42 @@ namespace Heddle
 
 
 
+    FibersAtSides
+    Scene::fibers_at_sides() const
+    {
+      const auto    ends = Textile::ends_of_yarns(paths);
+      FibersAtSides result;
+      for (const YarnSet family : all_choices<YarnSet>())
+        for (const unsigned int end : {0, 1})
+          {
+            std::string  names;
+            unsigned int n_free = 0;
+            for (unsigned int f = 0; f < paths.size(); ++f)
+              if (paths[f].set == word(family))
+                {
+                  if (ends[f][end])
+                    names += (names.empty() ? "" : ", ") + std::to_string(f);
+                  else
+                    ++n_free;
+                }
+            require(n_free == 0 || parameters.matrix.enabled || fiber_friction,
+                    Textile::spun_yarns(paths, parameters.centerlines.file) +
+                      ": set Contact/Friction coefficient, or enable the "
+                      "matrix.");
+            result[2 * static_cast<unsigned int>(family) + end] =
+              n_free == 0 ? word(family) : names;
+          }
+      return result;
+    }
+
+
+
     void
     Scene::add_load_cases()
     {
       const Contributions::FabricSize size = fabric_size();
-      fabric_cases = parameters.fabric_loading.cases(parameters.matrix.enabled);
+      fabric_cases = parameters.fabric_loading.cases(fibers_at_sides(),
+                                                     parameters.matrix.enabled);
       for (const Contributions::FabricCase &test : fabric_cases)
         {
           add_load_stage(test.name,

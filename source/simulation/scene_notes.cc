@@ -2,6 +2,7 @@
 #include <heddle/simulation/held_overlap.h>
 #include <heddle/simulation/scene_notes.h>
 #include <heddle/textile/lost_fibers.h>
+#include <heddle/textile/spun_yarns.h>
 
 #include <algorithm>
 #include <iomanip>
@@ -126,10 +127,15 @@ namespace Heddle
       if (scene.weave())
         notes = scene.weave()->notes();
       else
-        notes.push_back(Textile::lost_fibers(scene.fiber_paths(), file));
-      for (const std::string &note : {turned_back(scene, file),
-                                      crumbled_fiber(scene),
-                                      missed_points(scene, file)})
+        {
+          notes.push_back(Textile::lost_fibers(scene.fiber_paths(), file));
+          notes.push_back(Textile::spun_yarns(scene.fiber_paths(), file));
+        }
+      for (const std::string &note :
+           {parameters.fabric_loading.strain_in_percent(),
+            turned_back(scene, file),
+            crumbled_fiber(scene),
+            missed_points(scene, file)})
         notes.push_back(note);
       notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
       return notes;

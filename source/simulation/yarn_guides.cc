@@ -1,5 +1,6 @@
 #include <heddle/base/yarn_set.h>
 #include <heddle/simulation/yarn_guides.h>
+#include <heddle/textile/spun_yarns.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -15,6 +16,7 @@ namespace Heddle
                 const std::vector<Textile::FiberPath> &paths,
                 const SettleParameters                &parameters)
     {
+      const auto ends = Textile::ends_of_yarns(paths);
       std::vector<Contributions::NodalSprings::Spring> springs;
       for (unsigned int f = 0; f < space.n_fibers(); ++f)
         {
@@ -33,10 +35,12 @@ namespace Heddle
             parameters.axial_tension * fiber.section.axial * along;
           const auto        &points = paths[f].points;
           const unsigned int last = fiber.n_nodes - 1, middle = last / 2;
-          springs.push_back(
-            {f, 0, points.front(), stiffness * across, -tension});
-          springs.push_back(
-            {f, last, points.back(), stiffness * across, tension});
+          if (ends[f][0])
+            springs.push_back(
+              {f, 0, points.front(), stiffness * across, -tension});
+          if (ends[f][1])
+            springs.push_back(
+              {f, last, points.back(), stiffness * across, tension});
           springs.push_back(
             {f, middle, points[middle], stiffness * on_axis, Tensor<1, 3>()});
         }

@@ -1,3 +1,4 @@
+#include <heddle/base/yarn_reach.h>
 #include <heddle/textile/fabric_reach.h>
 
 #include <algorithm>
@@ -28,14 +29,28 @@ namespace Heddle
 
 
 
-      /** Mean of the first or the last points of all fibers. */
-      Tensor<1, 3>
-      end_of(const std::vector<FiberAxis> &strand, const unsigned int which)
+      /** The ends of a strand: the mean of the fibers that end there. */
+      std::array<Tensor<1, 3>, 2>
+      ends_of(const std::vector<FiberAxis> &strand)
       {
-        Tensor<1, 3> sum;
+        std::vector<Polyline> lines;
         for (const FiberAxis &fiber : strand)
-          sum += which == 0 ? fiber.points.front() : fiber.points.back();
-        return sum / double(strand.size());
+          lines.push_back(fiber.points);
+        lines = run_one_way(lines);
+        const YarnReach             yarn(lines);
+        std::array<Tensor<1, 3>, 2> ends;
+        for (const unsigned int end : {0, 1})
+          {
+            double n = 0.;
+            for (unsigned int f = 0; f < lines.size(); ++f)
+              if (yarn.ends_with_yarn(f)[end])
+                {
+                  ends[end] += end == 0 ? lines[f].front() : lines[f].back();
+                  n += 1.;
+                }
+            ends[end] /= n;
+          }
+        return ends;
       }
 
 
@@ -81,7 +96,8 @@ namespace Heddle
       bool some_along = false;
       for (const std::vector<FiberAxis> &strand : strands_of(fibers))
         {
-          const Tensor<1, 3> begin = end_of(strand, 0), end = end_of(strand, 1);
+          const auto         ends  = ends_of(strand);
+          const Tensor<1, 3> begin = ends[0], end = ends[1];
           const Tensor<1, 3> chord = end - begin;
 
           // One that runs along z lies across both axes of the rectangle.

@@ -1,4 +1,4 @@
-#include <heddle/base/mean_line.h>
+#include <heddle/base/yarn_reach.h>
 #include <heddle/textile/lost_fibers.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace Heddle
           std::vector<Polyline> lines;
           for (const unsigned int f : yarn.second)
             lines.push_back(paths[f].points);
-          for (const unsigned int i : short_fibers(lines))
+          for (const unsigned int i : YarnReach(lines).short_fibers())
             lost.push_back(yarn.second[i]);
         }
       if (lost.empty())

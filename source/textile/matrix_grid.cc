@@ -41,24 +41,6 @@ namespace Heddle
 
 
 
-      void
-      check_numbers(const MatrixMeshDescription &description,
-                    const std::string           &where)
-      {
-        require(description.coating_thickness >= 0.,
-                sentence_of(where,
-                            ": \"Coating thickness\" is ",
-                            description.coating_thickness,
-                            " mm; it must be 0 or more."));
-        require(description.overlap_depth >= 0.,
-                sentence_of(where,
-                            ": \"Overlap depth\" is ",
-                            description.overlap_depth,
-                            "; it must be 0 or more."));
-      }
-
-
-
       /** Whether the user gave the corners of the block. */
       bool
       has_corners(const MatrixMeshDescription &description)
@@ -252,15 +234,20 @@ namespace Heddle
 
 
 
-    LayeredGrid
-    matrix_grid(const MatrixMeshDescription  &description,
-                const std::vector<FiberAxis> &fibers,
-                const std::vector<YarnBody>  &bodies,
-                const std::string            &where)
+    void
+    check_description(const MatrixMeshDescription &description,
+                      const std::string           &where)
     {
-      require(!fibers.empty(), where + ": there are no fibers to embed.");
-      check_numbers(description, where);
-      ColumnGrid columns = rectangle_of(description, fibers, where);
+      require(description.coating_thickness >= 0.,
+              sentence_of(where,
+                          ": \"Coating thickness\" is ",
+                          description.coating_thickness,
+                          " mm; it must be 0 or more."));
+      require(description.overlap_depth >= 0.,
+              sentence_of(where,
+                          ": \"Overlap depth\" is ",
+                          description.overlap_depth,
+                          "; it must be 0 or more."));
       if (has_corners(description))
         for (unsigned int d = 0; d < 3; ++d)
           require(description.low_corner[d] < description.high_corner[d],
@@ -273,8 +260,20 @@ namespace Heddle
                               " and ",
                               description.high_corner[d],
                               " mm."));
+    }
 
-      const double size = automatic_size(fibers, bodies);
+
+
+    LayeredGrid
+    matrix_grid(const MatrixMeshDescription  &description,
+                const std::vector<FiberAxis> &fibers,
+                const std::vector<YarnBody>  &bodies,
+                const std::string            &where)
+    {
+      require(!fibers.empty(), where + ": there are no fibers to embed.");
+      check_description(description, where);
+      ColumnGrid   columns = rectangle_of(description, fibers, where);
+      const double size    = automatic_size(fibers, bodies);
       for (unsigned int d = 0; d < 2; ++d)
         columns.n_columns[d] = number_of_cells(
           description.n_cells[d], columns.high[d] - columns.low[d], size, 1);

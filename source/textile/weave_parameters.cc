@@ -140,7 +140,7 @@ namespace Heddle
                     "Of the fibers, for what yarns and fabric weigh; 0: not "
                     "known [g/cm^3].",
                     prm,
-                    Patterns::Double(0.));
+                    Patterns::Double(0., 25.));
       add_choice(*this,
                  "Packing",
                  packing.layout,

@@ -1,5 +1,6 @@
 #include <heddle/base/convex_hull.h>
 #include <heddle/base/normals.h>
+#include <heddle/base/yarn_reach.h>
 #include <heddle/textile/extent.h>
 #include <heddle/textile/yarn_body.h>
 
@@ -89,6 +90,7 @@ namespace Heddle
           radius += fiber.radius / fibers.size();
           n_points = std::max<unsigned int>(n_points, fiber.points.size());
         }
+      lines         = run_one_way(lines);
       Polyline mean = mean_line(lines, n_points);
       ends          = {{mean.front(), mean.back()}};
       extend(lines, mean);
@@ -114,19 +116,24 @@ namespace Heddle
     void
     YarnBody::extend(std::vector<Polyline> &lines, Polyline &mean) const
     {
+      const YarnReach yarn(lines);
       for (unsigned int end = 0; end < 2; ++end)
         {
-          const Tensor<1, 3> out = way_out(mean, end);
-          Extent             extent;
+          const Tensor<1, 3>      out = way_out(mean, end);
+          std::vector<Polyline *> reaching;
+          for (unsigned int f = 0; f < lines.size(); ++f)
+            if (yarn.ends_with_yarn(f)[end])
+              reaching.push_back(&lines[f]);
+          Extent extent;
           extent.add(0.);
-          for (const Polyline &line : lines)
-            extent.add(((end == 0 ? line.front() : line.back()) - ends[end]) *
+          for (const Polyline *line : reaching)
+            extent.add(((end == 0 ? line->front() : line->back()) - ends[end]) *
                        out);
           const double reach = extent.high + radius;
           lengthen(mean, end, reach);
           // Twice the way, since a fiber may be inclined to the mean line.
-          for (Polyline &line : lines)
-            lengthen(line, end, 2. * (reach - extent.low));
+          for (Polyline *line : reaching)
+            lengthen(*line, end, 2. * (reach - extent.low));
         }
     }
 

@@ -75,6 +75,65 @@ sections()
 
 
 
+/** Six fibers around cos x, two waves long. */
+std::vector<Polyline>
+wavy_yarn()
+{
+  std::vector<Polyline> fibers(6);
+  for (unsigned int f = 0; f < 6; ++f)
+    for (unsigned int k = 0; k <= 840; ++k)
+      {
+        const double x = 4. * numbers::PI * k / 840;
+        const double y = std::cos(f * numbers::PI / 3.);
+        const double z = std::sin(f * numbers::PI / 3.);
+        fibers[f].push_back(Tensor<1, 3>({x, y, z + std::cos(x)}));
+      }
+  return fibers;
+}
+
+
+
+void
+print(const std::string &name, const std::vector<Polyline> &fibers)
+{
+  const Polyline mean = mean_line(fibers, 1001);
+  deallog << name << ": 1 + crimp " << 1. + crimp(mean)
+          << ", from x + 1 = " << 1. + mean.front()[0]
+          << ", z = " << mean.front()[2]
+          << " to x over pi = " << mean.back()[0] / numbers::PI << std::endl;
+}
+
+
+
+/**
+ * The mean line of a yarn, and its crimp, whether its fibers run from end to
+ * end, or some were lost, or it is spun of staple fibers, which begin and end
+ * where they do and are given from either end.
+ */
+void
+short_fibers()
+{
+  const std::vector<Polyline> whole = wavy_yarn();
+  print("whole", whole);
+
+  std::vector<Polyline> lost = whole;
+  lost[1].resize(400);
+  lost[4].erase(lost[4].begin(), lost[4].begin() + 500);
+  print("two lost", lost);
+
+  std::vector<Polyline> spun;
+  for (unsigned int f = 0; f < 6; ++f)
+    {
+      const auto cut = whole[f].begin() + 120 * (f + 1);
+      spun.emplace_back(whole[f].begin(), cut + 1);
+      spun.emplace_back(cut, whole[f].end());
+      std::reverse(spun.back().begin(), spun.back().end());
+    }
+  print("spun", spun);
+}
+
+
+
 void
 print(const std::string &name, const Post::CrossingCount &count)
 {
@@ -152,5 +211,6 @@ main()
 {
   initlog();
   run_part("Sections", sections);
+  run_part("Short fibers", short_fibers);
   run_part("Order of crossings", order_of_crossings);
 }

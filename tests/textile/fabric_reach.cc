@@ -45,6 +45,37 @@ show(const std::string &what, const std::vector<FiberAxis> &fibers)
 
 
 
+/**
+ * Three fibers along x, of one yarn: some given from their other ends, one lost
+ * half way, or all of staple fibers, with gaps, none of which runs from end to
+ * end.
+ */
+void
+show_yarns()
+{
+  std::vector<FiberAxis> turned = row(0, 3, 0);
+  std::swap(turned[1].points[0], turned[1].points[1]);
+  show("one turned", turned);
+
+  std::vector<FiberAxis> lost = row(0, 3, 0);
+  lost[2].points[1][0]        = 1.;
+  show("one lost", lost);
+
+  std::vector<FiberAxis> spun;
+  for (FiberAxis fiber : row(0, 3, 0))
+    {
+      const double cut   = 1. + spun.size() / 2;
+      fiber.points[1][0] = cut - 0.2;
+      spun.push_back(fiber);
+      fiber.points[0][0] = 4.;
+      fiber.points[1][0] = cut;
+      spun.push_back(fiber);
+    }
+  show("spun", spun);
+}
+
+
+
 int
 main()
 {
@@ -61,4 +92,5 @@ main()
   fibers.push_back(
     {{Tensor<1, 3>({0., 7., 0.}), Tensor<1, 3>({4., 7., 0.})}, radius, no_id});
   show("with one of no yarn beside", fibers);
+  show_yarns();
 }

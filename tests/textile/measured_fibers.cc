@@ -5,6 +5,7 @@
 #include <heddle/textile/lost_fibers.h>
 #include <heddle/textile/measured_fabric.h>
 #include <heddle/textile/path_reader.h>
+#include <heddle/textile/spun_yarns.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -333,6 +334,10 @@ fabrics()
   paths[0].points.erase(paths[0].points.begin());
   deallog << "none whole: \"" << lost_fibers(paths, "fibers.csv") << '"'
           << std::endl;
+  deallog << spun_yarns(paths, "fibers.csv") << std::endl;
+  for (const std::array<bool, 2> &ends : ends_of_yarns(paths))
+    deallog << ends[0] << ends[1] << ' ';
+  deallog << std::endl;
 
   refuse_fabric({fiber("warp", 0, 1.), fiber("warp", no_id, 2.)});
   refuse_fabric({fiber("warp", 0, 1.), fiber("pile", 1, 2.)});

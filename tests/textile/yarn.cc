@@ -171,6 +171,20 @@ bodies()
   two[0].yarn_id = two[1].yarn_id = 7;
   for (const YarnBody &body : yarn_bodies(two))
     deallog << "two fibers: " << body.depth(between) << std::endl;
+  // Of staple fibers that begin and end along it, given from either end.
+  std::vector<FiberAxis> spun;
+  for (unsigned int f = 0; f < 2; ++f)
+    for (const bool first : {true, false})
+      {
+        spun.push_back(two[f]);
+        spun.back().points[first ? 1 : 0][0] = 5. * f - 2.;
+        if (!first)
+          std::swap(spun.back().points[0], spun.back().points[1]);
+      }
+  for (const YarnBody &body : yarn_bodies(spun))
+    deallog << "spun: " << body.depth(between) << ", at the ends "
+            << body.depth(Tensor<1, 3>({-9., 0.5, 1.5})) << " and "
+            << body.depth(Tensor<1, 3>({9., 0.5, 1.5})) << std::endl;
   two[0].yarn_id = two[1].yarn_id = no_id;
   deallog << "without yarns: " << yarn_bodies(two).size() << " bodies"
           << std::endl;

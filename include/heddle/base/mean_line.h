@@ -23,7 +23,7 @@ namespace Heddle
   {
     bool         found = false;
     Tensor<1, 3> point;
-    double       cosine = 1.; /**< between fiber and normal */
+    Tensor<1, 3> direction; /**< of the fiber, to the normal's side [-] */
   };
 
 
@@ -38,21 +38,19 @@ namespace Heddle
 
 
   /**
-   * Mean line of a yarn: at each of @p n_points equal fractions of their
-   * lengths, the mean of its fibers [mm]. It runs as the first one does; those
-   * that run against it are taken from their other ends.
+   * Mean line of a yarn [mm]. It runs as the first fiber does.
+   *
+   * Of fibers that run from end to end (YarnReach) it is the mean at each of
+   * @p n_points equal fractions of their lengths; those that run against the
+   * first one are taken from their other ends, and those that end before the
+   * yarn does have no place along it that is known. Where none runs from end to
+   * end, in a yarn that is spun of staple fibers, the line has their mean
+   * direction in planes across the yarn, and lies in their midst in the mean
+   * over its length: the mean of those that are there would jump wherever one
+   * ends. It has so many more points as it is longer than they are.
    */
   Polyline
   mean_line(const std::vector<Polyline> &fibers, const unsigned int n_points);
-
-  /**
-   * Numbers of the fibers of a yarn that end before the yarn does, by more than
-   * a tenth of its length, such as those that were lost while they were traced.
-   * A yarn reaches as far as a quarter of its fibers do. One that ends near
-   * where it begins has none.
-   */
-  std::vector<unsigned int>
-  short_fibers(const std::vector<Polyline> &fibers);
 
   /**
    * The plane normal to the mean line at @p fraction of its length, 0 to 1.

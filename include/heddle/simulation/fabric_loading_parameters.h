@@ -92,6 +92,12 @@ namespace Heddle
 
 
 
+    /** Which fibers end at each side of a fabric, as a support names them:
+     * first and last ends of the warp, then of the weft. */
+    using FibersAtSides = std::array<std::string, 4>;
+
+
+
     /** A test of a woven sample: the motion of its sides, case by case. */
     class FabricLoadingParameters : public ParameterAcceptor
     {
@@ -116,6 +122,10 @@ namespace Heddle
       double
       largest_shear_angle() const;
 
+      /** A sentence if the strain looks like a percentage, or nothing. */
+      std::string
+      strain_in_percent() const;
+
       /** Throw InputError if the entries make no test. */
       void
       check() const;
@@ -124,9 +134,10 @@ namespace Heddle
       std::vector<double>
       turning_points() const;
 
-      /** The load cases in their order; their sides hold @p matrix too. */
+      /** The load cases in their order; their sides hold the ends of @p fibers
+       * and, if there is one, the @p matrix too. */
       std::vector<Contributions::FabricCase>
-      cases(const bool matrix) const;
+      cases(const FibersAtSides &fibers, const bool matrix) const;
 
     private:
       /** Whether the test pulls along these yarns. */
@@ -153,6 +164,7 @@ namespace Heddle
 
       Contributions::SupportList
       supports(const Contributions::FabricMotion &motion,
+               const FibersAtSides               &fibers,
                const bool                         matrix) const;
 
       FabricTest          kind          = FabricTest::none;

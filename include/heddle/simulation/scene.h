@@ -214,6 +214,11 @@ namespace Heddle
       Contributions::FabricSize
       fabric_size() const;
 
+      /** Throw InputError if nothing would hold the fibers that end at none.
+       */
+      FibersAtSides
+      fibers_at_sides() const;
+
       /** A stage for each load case of the fabric. */
       void
       add_load_cases();

@@ -12,7 +12,7 @@ namespace Heddle
   {
     /**
      * A sentence about fibers of the file @p name that end far from the ends of
-     * their yarn (Heddle::short_fibers()), such as those that were lost while
+     * their yarn (Heddle::YarnReach), such as those that were lost while
      * they were traced; empty if none does.
      */
     std::string

@@ -13,6 +13,12 @@ namespace Heddle
 {
   namespace Textile
   {
+    /** Throw InputError, which begins with @p where, if what does not depend on
+     * the fibers makes no matrix. */
+    void
+    check_description(const MatrixMeshDescription &description,
+                      const std::string           &where);
+
     /**
      * The grid from which the cells of a matrix are taken: its rectangle, the
      * number of its cells and its surfaces.

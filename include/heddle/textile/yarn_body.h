@@ -23,7 +23,8 @@ namespace Heddle
      *
      * The fibers of a yarn do not all end in one plane. The body reaches one
      * radius beyond the end of the farthest one, so that a plane through the
-     * ends of the yarns cuts it; all fibers go straight on to there.
+     * ends of the yarns cuts it; all fibers that end there go straight on to
+     * it, and those that end within the yarn (YarnReach) end.
      */
     class YarnBody
     {
@@ -77,7 +78,8 @@ namespace Heddle
         std::vector<Point<2>> hull;
       };
 
-      /** Lengthen @p lines and their mean line to the ends of the body. */
+      /** Lengthen @p lines, which all run the same way, and their mean line to
+       * the ends of the body. */
       void
       extend(std::vector<Polyline> &lines, Polyline &mean) const;
 
