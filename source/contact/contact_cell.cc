@@ -201,6 +201,10 @@ namespace Heddle
         void
         find_kink(CellEnd &low, CellEnd &high) const;
 
+        /** The end of the other fiber that is next to this one, if any. */
+        FacingEnd
+        beside(const FacingEnd end) const;
+
         /** Fill a part in which no end begins to face. */
         void
         fill_smooth(const CellEnd &begin, const CellEnd &end);
@@ -286,6 +290,27 @@ namespace Heddle
 
 
 
+      FacingEnd
+      CellFiller::beside(const FacingEnd end) const
+      {
+        const bool same = geometry.orientation > 0;
+        switch (end)
+          {
+            case FacingEnd::first_of_a:
+              return same ? FacingEnd::first_of_b : FacingEnd::last_of_b;
+            case FacingEnd::last_of_a:
+              return same ? FacingEnd::last_of_b : FacingEnd::first_of_b;
+            case FacingEnd::first_of_b:
+              return same ? FacingEnd::first_of_a : FacingEnd::last_of_a;
+            case FacingEnd::last_of_b:
+              return same ? FacingEnd::last_of_a : FacingEnd::first_of_a;
+            default:
+              return FacingEnd::none;
+          }
+      }
+
+
+
       void
       CellFiller::find_kink(CellEnd &low, CellEnd &high) const
       {
@@ -294,21 +319,29 @@ namespace Heddle
 
         // Where fibers end side by side it is at the end of the cell, and
         // either of them may come first.
-        for (const FacingEnd end : {high.end,
-                                    before,
-                                    FacingEnd::first_of_a,
-                                    FacingEnd::last_of_a,
-                                    FacingEnd::first_of_b,
-                                    FacingEnd::last_of_b})
-          if (end != FacingEnd::none && high.p - low.p > 4. * close)
+        const std::array<FacingEnd, 7> ends = {{high.end,
+                                                before,
+                                                beside(high.end),
+                                                FacingEnd::first_of_a,
+                                                FacingEnd::last_of_a,
+                                                FacingEnd::first_of_b,
+                                                FacingEnd::last_of_b}};
+        for (auto end = ends.begin(); end != ends.end(); ++end)
+          if (*end != FacingEnd::none &&
+              std::find(ends.begin(), end, *end) == end &&
+              high.p - low.p > 4. * close)
             {
-              const double guess = geometry.kink(end, 0.5 * (low.p + high.p));
+              const double guess = geometry.kink(*end, 0.5 * (low.p + high.p));
               const double kink =
                 std::min(std::max(guess, low.p + close), high.p - close);
-              const double  t     = (kink - low.p) / (high.p - low.p);
-              const double  q     = low.q + t * (high.q - low.q);
-              const CellEnd left  = cell_end(geometry, kink - close, q);
-              const CellEnd right = cell_end(geometry, kink + close, q);
+              const double t      = (kink - low.p) / (high.p - low.p);
+              const double q      = low.q + t * (high.q - low.q);
+              const double left_p = kink - close, right_p = kink + close;
+              const auto   sides =
+                cell_ends({{&geometry, &geometry, &geometry, &geometry}},
+                          {{left_p, right_p, left_p, right_p}},
+                          {{q, q, q, q}});
+              const CellEnd &left = sides[0], &right = sides[1];
               if (left.end == before && right.end != before)
                 {
                   low   = left;

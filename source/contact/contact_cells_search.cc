@@ -29,6 +29,11 @@ namespace Heddle
 
 
 
+      /** From cell to cell, in their sizes, q changes by less along a zone. */
+      constexpr double jump = 0.1;
+
+
+
       /** The angle of a zone may change by this factor before its cells do. */
       constexpr double slack = 1.25;
 
@@ -63,6 +68,46 @@ namespace Heddle
       {
         return cosine < 0. ? std::sqrt((1. - cosine) / (1. + cosine)) : 1.;
       }
+
+
+
+      /**
+       * Where cells of @p size end that follow each other along a zone. Some
+       * are looked for at once, with the same guess: q hardly changes.
+       */
+      class EndsAhead
+      {
+      public:
+        EndsAhead(const IntermediateGeometry &between, const double size)
+          : size(size)
+          , last_p(between.range().second)
+        {
+          geometries.fill(&between);
+        }
+
+        /** That of cell @p number; @p q is the guess if it is not known. */
+        const CellEnd &
+        of(const int number, const double q)
+        {
+          if (number < first || number >= first + n_known)
+            {
+              std::array<double, n_ends_at_once> p, guess;
+              for (unsigned int k = 0; k < n_ends_at_once; ++k)
+                p[k] = std::min((number + 1. + k) * size, last_p);
+              guess.fill(q);
+              ends    = cell_ends(geometries, p, guess);
+              first   = number;
+              n_known = n_ends_at_once;
+            }
+          return ends[number - first];
+        }
+
+      private:
+        const double                                             size, last_p;
+        std::array<const IntermediateGeometry *, n_ends_at_once> geometries;
+        std::array<CellEnd, n_ends_at_once>                      ends;
+        int first = 0, n_known = 0;
+      };
     } // namespace
 
 
@@ -175,6 +220,7 @@ namespace Heddle
       double       known_penalty = 0.;
       CellEnd      end           = {};
       bool         continues     = false;
+      EndsAhead    ahead(between, size);
       for (cell.number = std::floor(first_p / size);
            cell.number * size < last_p;
            ++cell.number)
@@ -194,8 +240,11 @@ namespace Heddle
               cell.number += static_cast<int>(excess / size) - 1;
               continue;
             }
-          end = cell_end(
-            between, p.second, continues ? begin.q : zone.guess(p.second));
+          if (continues)
+            end = ahead.of(cell.number, begin.q);
+          if (!continues || std::abs(end.q - begin.q) > jump * size)
+            end = cell_end(
+              between, p.second, continues ? begin.q : zone.guess(p.second));
           if (std::abs(end.q - begin.q) > at_contact)
             {
               // Strongly bent fibers face each other in several places.

@@ -215,10 +215,13 @@ namespace Heddle
                const KnownOrientation &known)
     {
       const unsigned int  n = last - first;
-      std::vector<double> cosines(n);
+      std::vector<double> cosines(n), squares(n);
       for (unsigned int k = 0; k < n; ++k)
-        cosines[k] = internal::ProximityZone::cosine(
-          a, first[k].interval_a, b, first[k].interval_b);
+        {
+          const unsigned int i = first[k].interval_a, j = first[k].interval_b;
+          cosines[k] = internal::ProximityZone::cosine(a, i, b, j);
+          squares[k] = internal::ProximityZone::squared_distance(a, i, b, j);
+        }
       const std::vector<unsigned int> component =
         internal::ProximityZone::connect(first, n, cosines);
 
@@ -237,9 +240,7 @@ namespace Heddle
             for (unsigned int k = 0; k < n; ++k)
               if (component[k] == c)
                 {
-                  const double square =
-                    internal::ProximityZone::squared_distance(
-                      a, first[k].interval_a, b, first[k].interval_b);
+                  const double square = squares[k];
                   if (weight_sum == 0. || square < least)
                     {
                       least   = square;
@@ -288,12 +289,7 @@ namespace Heddle
                   zone.begin     = std::min(zone.begin, p - half);
                   zone.end       = std::max(zone.end, p + half);
 
-                  unsigned int       hint_a = i, hint_b = j;
-                  const Tensor<1, 3> connection =
-                    a.evaluate(s_a, hint_a).position -
-                    b.evaluate(s_b, hint_b).position;
-                  zone.samples.push_back(
-                    {p, s_a - sigma * s_b, connection.norm_square()});
+                  zone.samples.push_back({p, s_a - sigma * s_b, squares[k]});
                 }
             std::sort(zone.samples.begin(),
                       zone.samples.end(),

@@ -28,8 +28,9 @@ namespace Heddle
 
     /**
      * Return all pairs of intervals whose surfaces may be closer than
-     * @p search_distance [mm], sorted, each once. None is missed: the control
-     * points of a cubic bound it, and how far it is from its chords.
+     * @p search_distance [mm], sorted, each once; @p curves are sorted by their
+     * fibers. None is missed: the control points of a cubic bound it, and how
+     * far it is from its chords.
      */
     std::vector<CandidatePair>
     find_candidates(const std::vector<NumberedCurve> &curves,

@@ -2,8 +2,8 @@
 #define heddle_contact_candidate_pair_h
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
-#include <tuple>
 #include <vector>
 
 namespace Heddle
@@ -20,12 +20,15 @@ namespace Heddle
     inline bool
     operator<(const CandidatePair &left, const CandidatePair &right)
     {
-      return std::tie(
-               left.fiber_a, left.fiber_b, left.interval_a, left.interval_b) <
-             std::tie(right.fiber_a,
-                      right.fiber_b,
-                      right.interval_a,
-                      right.interval_b);
+      const auto key = [](const unsigned int high, const unsigned int low) {
+        return std::uint64_t(high) << 32 | low;
+      };
+      const std::uint64_t fibers       = key(left.fiber_a, left.fiber_b),
+                          other_fibers = key(right.fiber_a, right.fiber_b);
+      return (fibers < other_fibers) |
+             ((fibers == other_fibers) &
+              (key(left.interval_a, left.interval_b) <
+               key(right.interval_a, right.interval_b)));
     }
 
     inline bool
