@@ -93,7 +93,8 @@ namespace Heddle
     {
       // More than fabrics of other fibers than rubber bear.
       constexpr double largest_strain = 0.5;
-      if (!is_active() || is_shear() || std::abs(strain) <= largest_strain)
+      if (!(pulls(YarnSet::warp) || pulls(YarnSet::weft)) ||
+          std::abs(strain) <= largest_strain)
         return "";
       return fabric_loading + "\"Strain\" is " + number_text(strain) +
              ", which is " + number_text(100. * strain) +

@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/contributions/crossing_enforcement.h>
