@@ -46,7 +46,10 @@ namespace Heddle
       require(std::abs(at(0.)) < 1e-12,
               is + "which is " + number_text(at(0.)) +
                 " at t = 0; let it begin at 0.");
-      for (const double t : {0.25, 0.5, 0.75, 1.})
+      std::vector<double> load_factors = turning_points();
+      for (unsigned int i = 1; i <= 100; ++i)
+        load_factors.push_back(0.01 * i);
+      for (const double t : load_factors)
         {
           require(at(t) == formula.value(Tensor<1, 3>({0.1, 0.2, 0.3}), t),
                   is + "which is not the same everywhere; let it depend on t "

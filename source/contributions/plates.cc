@@ -25,6 +25,10 @@ namespace Heddle
       /** A penalty aims below the threshold, lest it has to be raised again. */
       constexpr double aim = 0.75;
 
+      /** No guess is followed that lays fibers so deep in a plate, in radii, or
+       * leaves less than this part of what touched it. */
+      constexpr double deepest_credible = 0.3, least_left = 0.1;
+
       /** Largest factor by which a penalty grows at once, and in all. */
       constexpr double growth_at_once = 4., growth_in_all = 1e7;
 
@@ -98,14 +102,14 @@ namespace Heddle
 
 
 
-    Plates::Plates(const System::FiberSpace    &space,
-                   const PlateParameters       &parameters,
-                   const double                 threshold,
-                   const std::array<double, 2> &extent)
+    Plates::Plates(const System::FiberSpace            &space,
+                   const PlateParameters               &parameters,
+                   const double                         threshold,
+                   const std::optional<BoundingBox<2>> &covered)
       : space(space)
       , compression(parameters.compression, PlateParameters::entry)
       , threshold(threshold)
-      , extent(extent)
+      , covered(covered)
     {
       const auto owned = space.owned_fibers();
       touches.resize(n_plates * (owned.second - owned.first));
@@ -137,7 +141,7 @@ namespace Heddle
 
 
     double
-    Plates::force(const Point &point) const
+    Plates::force(const TouchingPoint &point) const
     {
       return point.length *
              law(point.touch)
@@ -159,39 +163,18 @@ namespace Heddle
     void
     Plates::cover(const System::State &state)
     {
-      // From the corner of all nodes with the least x and y to the other one.
-      const double          none = std::numeric_limits<double>::max();
-      std::array<double, 4> box  = {{-none, -none, -none, -none}};
-      for (unsigned int k = 0; k < touches.size(); k += n_plates)
-        for (unsigned int i = 0; i < space.fiber(fiber_of(k)).n_nodes; ++i)
-          {
-            const Tensor<1, 3> &x =
-              state.fiber(fiber_of(k))[i * space.n_blocks_per_node()];
-            for (unsigned int d = 0; d < 2; ++d)
-              {
-                box[d]     = std::max(box[d], -x[d]);
-                box[2 + d] = std::max(box[2 + d], x[d]);
-              }
-          }
-      max_over_ranks(box, space.communicator());
-
       for (unsigned int k = 0; k < touches.size(); ++k)
         {
           const unsigned int f = fiber_of(k);
           touches[k].begin     = space.fiber(f).length;
           touches[k].end       = 0.;
           for_each_place(
-            space, f, [&](const System::MaterialPoint &place, const double s) {
-              const Tensor<1, 3> x       = place.position(state.fiber(f));
-              bool               covered = true;
-              for (unsigned int d = 0; d < 2; ++d)
-                covered &=
-                  extent[d] == 0. ||
-                  std::abs(2. * x[d] - (box[2 + d] - box[d])) <= extent[d];
-              if (!covered)
+            space, f, [&](const System::MaterialPoint &place, const double at) {
+              const Tensor<1, 3> x = place.position(state.fiber(f));
+              if (covered && !covered->point_inside(Point<2>(x[0], x[1])))
                 return;
-              touches[k].begin = std::min(touches[k].begin, s);
-              touches[k].end   = std::max(touches[k].end, s);
+              touches[k].begin = std::min(touches[k].begin, at);
+              touches[k].end   = std::max(touches[k].end, at);
             });
         }
     }
@@ -284,9 +267,9 @@ namespace Heddle
       const unsigned int n = n_places(space, f, interval);
       for (unsigned int i = 0; i < n; ++i)
         {
-          const double t  = (i + 0.5) / n;
-          const double at = s[0] + t * h;
-          Point        point;
+          const double  t  = (i + 0.5) / n;
+          const double  at = s[0] + t * h;
+          TouchingPoint point;
           point.penetration = cubic.value(t);
           if (point.penetration <= 0. || at < sum.begin || at > sum.end)
             continue;
@@ -329,37 +312,20 @@ namespace Heddle
 
 
 
-    std::vector<std::pair<unsigned int, unsigned int>>
-    Plates::touched_intervals() const
-    {
-      std::vector<std::pair<unsigned int, unsigned int>> result;
-      for (const Point &point : points)
-        result.emplace_back(fiber_of(point.touch), point.interval);
-      std::sort(result.begin(), result.end());
-      result.erase(std::unique(result.begin(), result.end()), result.end());
-      return result;
-    }
-
-
-
-    bool
-    Plates::needs_new_pattern() const
-    {
-      const auto needed = touched_intervals();
-      return !std::includes(pattern_intervals.begin(),
-                            pattern_intervals.end(),
-                            needed.begin(),
-                            needed.end());
-    }
-
-
-
     void
-    Plates::add_pattern(const System::State &, System::BlockPattern &pattern)
+    Plates::add_pattern(const System::State  &state,
+                        System::BlockPattern &pattern)
     {
-      pattern_intervals = touched_intervals();
-      for (const Point &point : points)
-        pattern.couple(4, point.blocks.data());
+      // Places touch and part: all that may are in the pattern at once.
+      for (unsigned int k = 0; k < touches.size(); k += n_plates)
+        for (unsigned int i = 0; i + 1 < space.fiber(fiber_of(k)).n_nodes; ++i)
+          {
+            const unsigned int f = fiber_of(k);
+            auto blocks          = space.locate(f, space.middle(f, i)).blocks;
+            for (unsigned int &block : blocks)
+              block += state.local_block(f);
+            pattern.couple(blocks.size(), blocks.data());
+          }
     }
 
 
@@ -403,7 +369,7 @@ namespace Heddle
                                 const System::Increment &increment) const
     {
       double slope = 0., curvature = 0.;
-      for (const Point &point : points)
+      for (const TouchingPoint &point : points)
         {
           double sinks = 0.;
           for (unsigned int i = 0; i < 4; ++i)
@@ -417,6 +383,15 @@ namespace Heddle
             sinks * sinks;
         }
       return {slope, curvature};
+    }
+
+
+
+    bool
+    Plates::is_credible() const
+    {
+      return deepest <= deepest_credible &&
+             sums.n_stretches >= least_left * accepted_stretches;
     }
 
 
@@ -480,6 +455,8 @@ namespace Heddle
         work += 0.5 * (accepted_force[plate] + sums.force[plate]) *
                 outwards(plate) * (accepted_positions[plate] - now[plate]);
       accepted_force     = sums.force;
+      accepted_stretches = sums.n_stretches;
+      largest_mean_force = std::max(largest_mean_force, mean_force());
       accepted_positions = now;
       for (Touch &touch : touches)
         touch.hardened = 1.;
@@ -516,8 +493,8 @@ namespace Heddle
       const double distance = accepted_positions[1] - accepted_positions[0];
       values["plate_distance[mm]"] = distance;
       values["plate_force[N]"]     = force;
-      if (extent[0] > 0.)
-        values["plate_pressure[MPa]"] = force / (extent[0] * extent[1]);
+      if (covered)
+        values["plate_pressure[MPa]"] = force / covered->volume();
       values["plate_energy[N*mm]"]             = sums.energy;
       values["plate_hardening[N*mm]"]          = hardening;
       values["max_plate_penetration_ratio[-]"] = deepest;
@@ -545,6 +522,8 @@ namespace Heddle
           archive.write_number(of + " position", accepted_positions[plate]);
           archive.write_number(of + " force", accepted_force[plate]);
         }
+      archive.write_number(name() + "/stretches", accepted_stretches);
+      archive.write_number(name() + "/largest mean force", largest_mean_force);
       archive.write_number(name() + "/work", work);
       archive.write_number(name() + "/hardening", hardening);
     }
@@ -574,8 +553,10 @@ namespace Heddle
           accepted_positions[plate] = archive.read_number(of + " position");
           accepted_force[plate]     = archive.read_number(of + " force");
         }
-      work      = archive.read_number(name() + "/work");
-      hardening = archive.read_number(name() + "/hardening");
+      accepted_stretches = archive.read_number(name() + "/stretches");
+      largest_mean_force = archive.read_number(name() + "/largest mean force");
+      work               = archive.read_number(name() + "/work");
+      hardening          = archive.read_number(name() + "/hardening");
     }
   } // namespace Contributions
 } // namespace Heddle

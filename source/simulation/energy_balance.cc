@@ -109,7 +109,8 @@ namespace Heddle
           << " is in no energy: steps are too long, or, if more of them do not "
              "mend it, fibers have snapped from one equilibrium to another";
       else
-        text << " was not done by supports or loads, and is in the energies: "
+        text << " was not done by supports, loads or plates, and is in the "
+                "energies: "
                 "steps are too long";
       text << " (history.csv, energy_imbalance)";
       return text.str();

@@ -106,7 +106,7 @@ namespace Heddle
     void
     FabricLoadingParameters::check() const
     {
-      if (!is_active())
+      if (!is_active() || kind == FabricTest::held)
         return;
       const Expression formula(ramp, fabric_loading + "\"Ramp\"");
       require(std::abs(formula.value(Tensor<1, 3>(), 0.)) < 1e-12,
@@ -179,6 +179,8 @@ namespace Heddle
     std::vector<double>
     FabricLoadingParameters::turning_points() const
     {
+      if (kind == FabricTest::held)
+        return {};
       return Heddle::turning_points(
         Expression(ramp, fabric_loading + "\"Ramp\""));
     }

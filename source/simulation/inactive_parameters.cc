@@ -233,6 +233,15 @@ namespace Heddle
                                          "Initial configuration/Friction"})
             conditions.push_back(
               {path, "Contact/Friction coefficient", is_not("0")});
+        // Plates have a threshold of penetration and are damped, too.
+        if (value_of("Plates/Compression") != "0")
+          conditions.erase(std::remove_if(conditions.begin(),
+                                          conditions.end(),
+                                          [](const Condition &condition) {
+                                            return condition.depends_on ==
+                                                   "Contact/Enabled";
+                                          }),
+                           conditions.end());
         if (file.count_sections("Supports", "Support") == 0 &&
             file.count_sections("Loads", "Load") == 0)
           conditions.push_back(

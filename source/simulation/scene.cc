@@ -15,9 +15,9 @@
 #include <heddle/textile/spun_yarns.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace Heddle
@@ -420,20 +420,65 @@ namespace Heddle
 
 
 
+    BoundingBox<2>
+    Scene::crossing_area() const
+    {
+      // Warp yarns lie beside each other along y, weft yarns along x.
+      const auto width = fabric_size().width;
+      Point<2>   lower, upper;
+      for (const YarnSet family : all_choices<YarnSet>())
+        {
+          const unsigned int across = family == YarnSet::warp ? 1 : 0;
+          double             low    = std::numeric_limits<double>::max();
+          double             high   = -low;
+          for (const Textile::FiberPath &path : paths)
+            if (path.set == word(family))
+              {
+                double sum = 0.;
+                for (const Tensor<1, 3> &point : path.points)
+                  sum += point[across];
+                low  = std::min(low, sum / path.points.size());
+                high = std::max(high, sum / path.points.size());
+              }
+          const double half = 0.5 * width[static_cast<unsigned int>(family)];
+          lower[across]     = 0.5 * (low + high) - half;
+          upper[across]     = 0.5 * (low + high) + half;
+        }
+      return BoundingBox<2>({lower, upper});
+    }
+
+
+
     void
     Scene::add_plates(Stage &stage) const
     {
-      double                threshold = parameters.contact.threshold;
-      std::array<double, 2> extent    = {};
+      double                        threshold = parameters.contact.threshold;
+      std::optional<BoundingBox<2>> covered;
       if (is_fabric())
         {
-          // Not on its ends, which are held: where the yarns cross.
-          const auto width = fabric_size().width;
-          threshold        = parameters.settle.thresholds(threshold).back();
-          extent           = {{width[1], width[0]}};
+          threshold = parameters.settle.thresholds(threshold).back();
+          covered   = crossing_area();
+        }
+      if (parameters.fabric_loading.is_active())
+        {
+          const auto ends = Textile::ends_of_yarns(paths);
+          for (unsigned int f = 0; f < paths.size(); ++f)
+            for (const unsigned int end : {0, 1})
+              {
+                const auto &place =
+                  end == 0 ? paths[f].points.front() : paths[f].points.back();
+                require(!ends[f][end] ||
+                          !covered->point_inside(Point<2>(place[0], place[1])),
+                        "Plates/Compression is given, but fiber " +
+                          std::to_string(f) +
+                          " (counted from 0) ends between the plates, where "
+                          "it is held: plates reach beyond the outer yarns by "
+                          "half of their distance; let the yarns reach further "
+                          "(in a weave Weave/End length above 0.5).");
+              }
         }
       stage.contributions.push_back(std::make_shared<Contributions::Plates>(
-        *fiber_space, parameters.plates, threshold, extent));
+        *fiber_space, parameters.plates, threshold, covered));
       stage.plan.reach(parameters.plates.turning_points());
     }
 

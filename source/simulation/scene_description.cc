@@ -206,7 +206,9 @@ namespace Heddle
             << (settles(scene, parameters)
                   ? "an initial configuration takes 40 to 160, "
                   : "")
-            << "a load step " << (scene.is_fabric() ? "3 to 20" : "3 to 60")
+            << "a load step "
+            << (scene.is_fabric() && !parameters.plates.are_there() ? "3 to 20"
+                                                                    : "3 to 60")
             << std::endl;
       }
     } // namespace

@@ -54,7 +54,7 @@ namespace Heddle
                  : MatrixEstimate())
       , is_factorized(parameters.linear_solver.direct(
           scene.space().n_dofs() + std::lround(3. * matrix.n_nodes),
-          scene.contact() != nullptr,
+          scene.contact() != nullptr || parameters.plates.are_there(),
           parameters.matrix.enabled))
       , memory(estimated_memory(scene,
                                 is_factorized,

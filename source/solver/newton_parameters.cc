@@ -42,15 +42,16 @@ namespace Heddle
         "snap or buckle [-].",
         prm,
         Patterns::Integer(0));
-      add_parameter("Damping",
-                    damping,
-                    "Stiffness per length that holds the nodes back in the "
-                    "first iteration from an unsettled state, in units of "
-                    "E A / R^2; then it adapts to how each fiber moves. With 0 "
-                    "nothing is ever held back. Inactive without contact "
-                    "[-].",
-                    prm,
-                    Patterns::Double(0.));
+      add_parameter(
+        "Damping",
+        damping,
+        "Stiffness per length that holds the nodes back in the "
+        "first iteration from an unsettled state, in units of "
+        "E A / R^2; then it adapts to how each fiber moves. With 0 "
+        "nothing is ever held back. Inactive without contact and plates "
+        "[-].",
+        prm,
+        Patterns::Double(0.));
     }
 
 

@@ -2,7 +2,8 @@
 // the tangent that of the residual, to the order of the differences; what is
 // said along a motion is the same, and nothing is pushed along the plates.
 // Penalties grow with the penetration, but not without end, and are taken back
-// with a step. Plates that do not cover the ends of fibers leave these alone.
+// with a step. Plates that do not cover all of a fiber leave the rest alone.
+// Wild guesses are not followed.
 #include <heddle/contributions/plates.h>
 
 #include "../contact/contact_scene.h"
@@ -196,11 +197,11 @@ derivatives()
 class LevelFiber
 {
 public:
-  LevelFiber(const std::array<double, 2> &extent = {})
+  LevelFiber(const std::optional<BoundingBox<2>> &covered = {})
     : scene(
         {line(Tensor<1, 3>({-20., 0., 0.}), Tensor<1, 3>({1., 0., 0.}), 40.)},
         {n_intervals})
-    , plates(scene.space, pressed_by("t"), threshold, extent)
+    , plates(scene.space, pressed_by("t"), threshold, covered)
   {
     plates.begin_stage(scene.state);
   }
@@ -270,17 +271,21 @@ penalties()
 
 
 
-/** Half of the fiber is covered; work and energy of a step from nothing. */
+/** All or half of the fiber is covered; work and energy of a step from nothing.
+ */
 void
 covered()
 {
-  for (const double extent : {0., 20.})
+  const BoundingBox<2> half({Point<2>(-15., -5.), Point<2>(5., 5.)});
+  for (const auto &plate :
+       {std::optional<BoundingBox<2>>(), std::optional<BoundingBox<2>>(half)})
     {
-      LevelFiber   fiber(std::array<double, 2>{{extent, extent}});
+      LevelFiber   fiber(plate);
       const double force = fiber.force(0.1);
-      deallog << "extent " << extent << ": force over length " << force / 40.
-              << ", distance " << fiber.reported("plate_distance[mm]")
-              << ", work " << fiber.reported("external_work[N*mm]") / force
+      deallog << (plate ? "half" : "all") << ": force over length "
+              << force / 40. << ", distance "
+              << fiber.reported("plate_distance[mm]") << ", work "
+              << fiber.reported("external_work[N*mm]") / force
               << " times force";
       std::map<std::string, double> values;
       fiber.plates.report(fiber.scene.state, values);
@@ -293,6 +298,24 @@ covered()
 
 
 
+/** A guess is not followed if it is deep in a plate, or far from both. */
+void
+guesses()
+{
+  LevelFiber fiber;
+  fiber.force(0.1);
+  for (const double penetration : {0.1, 0.2, 0.35, 0., 0.09})
+    {
+      fiber.scene.state.load_factor = penetration;
+      fiber.plates.update(fiber.scene.state);
+      deallog << penetration << " deep: "
+              << (fiber.plates.is_credible() ? "followed" : "not followed")
+              << std::endl;
+    }
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -300,4 +323,5 @@ main(int argc, char **argv)
   run_part("Derivatives", derivatives);
   run_part("Penalties", penalties);
   run_part("Covered parts", covered);
+  run_part("Guesses", guesses);
 }

@@ -64,7 +64,7 @@ press(const unsigned int n_elements,
   Contributions::PlateParameters parameters;
   parameters.compression = std::to_string(compression) + "*t";
   const auto plates      = std::make_shared<Contributions::Plates>(
-    *scene.space, parameters, threshold, std::array<double, 2>());
+    *scene.space, parameters, threshold, std::nullopt);
   scene.contributions.push_back(plates);
   plates->begin_stage(*scene.state);
 

@@ -6,7 +6,11 @@
 #include <heddle/contributions/plate_parameters.h>
 #include <heddle/system/nonsmooth_contribution.h>
 
+#include <deal.II/base/bounding_box.h>
+
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,14 +35,13 @@ namespace Heddle
     {
     public:
       /**
-       * @p threshold of penetrations over the radius [-]; @p extent of the
-       * plates along x and y, amid all fibers, or 0 if they cover everything,
-       * and no pressure is told [mm].
+       * @p threshold of penetrations over the radius [-]. If the plates are
+       * only @p covered wide, along x and y, their pressure is told [mm].
        */
-      Plates(const System::FiberSpace    &space,
-             const PlateParameters       &parameters,
-             const double                 threshold,
-             const std::array<double, 2> &extent);
+      Plates(const System::FiberSpace            &space,
+             const PlateParameters               &parameters,
+             const double                         threshold,
+             const std::optional<BoundingBox<2>> &covered);
 
       std::string
       name() const override
@@ -59,9 +62,6 @@ namespace Heddle
         place_points(state);
       }
 
-      bool
-      needs_new_pattern() const override;
-
       void
       add_pattern(const System::State  &state,
                   System::BlockPattern &pattern) override;
@@ -74,19 +74,26 @@ namespace Heddle
       slope_and_curvature(const System::State     &state,
                           const System::Increment &increment) const override;
 
+      /** Not where fibers are deep in a plate, or nearly all of them left it.
+       */
+      bool
+      is_credible() const override;
+
       bool
       adapt(const System::State &state) override;
 
       std::string
       objection(const System::State &state) const override;
 
-      /** Mean force where a fiber touches a plate, of a stretch of it [N]. */
+      /**
+       * Mean force where a fiber touches a plate, of a stretch of it, or a
+       * hundredth of the largest that it was: forces that vanish are no measure
+       * [N].
+       */
       double
       typical_force() const override
       {
-        return sums.n_stretches > 0.
-                 ? (sums.force[0] + sums.force[1]) / sums.n_stretches
-                 : 0.;
+        return std::max(mean_force(), 0.01 * largest_mean_force);
       }
 
       std::string
@@ -116,7 +123,7 @@ namespace Heddle
       using Both = std::array<Value, n_plates>;
 
       /** A material point that is in a plate. */
-      struct Point
+      struct TouchingPoint
       {
         unsigned int                touch; /**< number of fiber and plate */
         unsigned int                interval;
@@ -159,11 +166,19 @@ namespace Heddle
         return touch % n_plates == 0 ? -1. : 1.;
       }
 
+      double
+      mean_force() const
+      {
+        return sums.n_stretches > 0.
+                 ? (sums.force[0] + sums.force[1]) / sums.n_stretches
+                 : 0.;
+      }
+
       Contact::NormalLaw
       law(const unsigned int touch) const;
 
       double
-      force(const Point &point) const;
+      force(const TouchingPoint &point) const;
 
       double
       first_penalty(const unsigned int f) const;
@@ -190,23 +205,18 @@ namespace Heddle
       void
       gather_sums();
 
-      /** Fibers and intervals with points in plates, in order. */
-      std::vector<std::pair<unsigned int, unsigned int>>
-      touched_intervals() const;
-
       /** What growing penalties brought to the energy in this step [N mm]. */
       double
       energy_of_hardening() const;
 
-      const System::FiberSpace   &space;
-      const Expression            compression;
-      const double                threshold; /**< [-] */
-      const std::array<double, 2> extent;    /**< [mm] */
+      const System::FiberSpace           &space;
+      const Expression                    compression;
+      const double                        threshold; /**< [-] */
+      const std::optional<BoundingBox<2>> covered;   /**< [mm] */
 
       Both<double>       begin = {}; /**< positions at first [mm] */
       std::vector<Touch> touches;    /**< of all own fibers, each at both */
-      std::vector<Point> points;
-      std::vector<std::pair<unsigned int, unsigned int>> pattern_intervals;
+      std::vector<TouchingPoint> points;
 
       Sums   sums;
       double deepest = 0.; /**< over the radius, over all ranks [-] */
@@ -215,6 +225,7 @@ namespace Heddle
       std::vector<Touch> accepted_touches;
       Both<double>       accepted_positions = {};
       Both<double>       accepted_force     = {};
+      double             accepted_stretches = 0., largest_mean_force = 0.;
       double             work = 0., hardening = 0.; /**< [N mm] */
     };
   } // namespace Contributions

@@ -13,6 +13,8 @@
 #include <heddle/textile/measured_fabric.h>
 #include <heddle/textile/weave.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <map>
 #include <memory>
 #include <string>
@@ -206,7 +208,11 @@ namespace Heddle
       add_load_stage(const std::string                           &name,
                      const std::shared_ptr<System::Contribution> &supports);
 
-      /** Plates that press on all fibers. */
+      /** Of a fabric: both widths, about the middle of the yarns [mm]. */
+      BoundingBox<2>
+      crossing_area() const;
+
+      /** Plates that press on all fibers, in a fabric where its yarns cross. */
       void
       add_plates(Stage &stage) const;
 
