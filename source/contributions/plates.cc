@@ -399,6 +399,8 @@ namespace Heddle
     bool
     Plates::adapt(const System::State &)
     {
+      if (softness > 0.)
+        return false;
       bool changed = false;
       for (unsigned int k = 0; k < touches.size(); ++k)
         {

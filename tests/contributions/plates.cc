@@ -247,6 +247,10 @@ penalties()
 
   // Aims at three quarters of the threshold.
   fiber.plates.update(fiber.scene.state);
+  fiber.plates.set_softness(0.5);
+  deallog << "by soft fibers raised " << fiber.plates.adapt(fiber.scene.state)
+          << std::endl;
+  fiber.plates.set_softness(0.);
   const bool raised = fiber.plates.adapt(fiber.scene.state);
   fiber.plates.update(fiber.scene.state);
   fiber.plates.reject_step(fiber.scene.state);

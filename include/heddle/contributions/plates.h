@@ -79,6 +79,16 @@ namespace Heddle
       bool
       is_credible() const override;
 
+      void
+      set_softness(const double value) override
+      {
+        softness = value;
+      }
+
+      /**
+       * Only fibers that are as hard as they are tell how deep they press: soft
+       * ones are on their way, and penalties would depend on it.
+       */
       bool
       adapt(const System::State &state) override;
 
@@ -217,6 +227,8 @@ namespace Heddle
       Both<double>       begin = {}; /**< positions at first [mm] */
       std::vector<Touch> touches;    /**< of all own fibers, each at both */
       std::vector<TouchingPoint> points;
+
+      double softness = 0.; /**< of contact between fibers [-] */
 
       Sums   sums;
       double deepest = 0.; /**< over the radius, over all ranks [-] */
