@@ -62,6 +62,7 @@ namespace Heddle
                                    const FabricCase                &test,
                                    const FabricSize                &size)
       : Supports(space, reference, test.supports)
+      , space(space)
       , test(test)
       , size(size)
     {
@@ -74,6 +75,40 @@ namespace Heddle
     {
       Supports::begin_stage(state);
       find_sides(state);
+      if (test.bending)
+        find_neutral_surface(state);
+    }
+
+
+
+    void
+    FabricSupports::find_neutral_surface(const System::State &state)
+    {
+      std::set<unsigned int> bent;
+      for (const HeldBlock &held : held_blocks())
+        if (!held.is_in_matrix() &&
+            family_of(held) == test.bending->direction())
+          bent.insert(held.fiber);
+
+      struct
+      {
+        double height = 0., stiffness = 0.;
+      } sums;
+      const auto         owned = space.owned_fibers();
+      const unsigned int n     = space.n_blocks_per_node();
+      for (const unsigned int f : bent)
+        if (f >= owned.first && f < owned.second)
+          for (unsigned int i = 0; i + 1 < space.fiber(f).n_nodes; ++i)
+            {
+              const Tensor<1, 3> &a = state.fiber(f)[i * n],
+                                 &b = state.fiber(f)[(i + 1) * n];
+              const double stiffness =
+                space.fiber(f).section.axial * (b - a).norm();
+              sums.height += 0.5 * stiffness * (a[2] + b[2]);
+              sums.stiffness += stiffness;
+            }
+      sum_over_ranks(sums, state.space.communicator());
+      origin = Tensor<1, 3>({0., 0., sums.height / sums.stiffness});
     }
 
 
@@ -114,11 +149,10 @@ namespace Heddle
                 counts[side] += 1.;
               }
         }
-      std::vector<Tensor<1, 3>> middles;
       for (unsigned int side = 0; side < n_sides; ++side)
-        middles.push_back(sums[side] / counts[side]);
+        rest_middles[side] = sums[side] / counts[side];
       find_areas();
-      rest_length = lengths(middles, 0.);
+      rest_length = lengths(rest_middles, 0.);
       now         = {};
       now.length  = rest_length;
       last = before = now;
@@ -150,8 +184,8 @@ namespace Heddle
 
 
     FabricSupports::Both<double>
-    FabricSupports::lengths(const std::vector<Tensor<1, 3>> &middles,
-                            const double                     load_factor) const
+    FabricSupports::lengths(const std::array<Tensor<1, 3>, n_sides> &middles,
+                            const double load_factor) const
     {
       const auto   along = test.motion.directions(load_factor);
       const double area  = cross_product_3d(along[0], along[1])[2];
@@ -248,6 +282,13 @@ namespace Heddle
             sums.couple +=
               force *
               cross_product_3d(turn_of(held, kinematics.turn_rates), place);
+          if (test.bending)
+            {
+              const double work =
+                bending_work(held, force, place, state.load_factor);
+              sums.bending += work;
+              sums.of_matrix += held.is_in_matrix() ? work : 0.;
+            }
         }
       sum_over_ranks(sums, state.space.communicator());
       now = measure(sums, kinematics, state.load_factor);
@@ -260,9 +301,9 @@ namespace Heddle
                             const Kinematics &kinematics,
                             const double      load_factor) const
     {
-      std::vector<Tensor<1, 3>> middles;
-      for (const SideSums &side : sums.sides)
-        middles.push_back(side.ends / side.n_ends);
+      std::array<Tensor<1, 3>, n_sides> middles;
+      for (unsigned int side = 0; side < n_sides; ++side)
+        middles[side] = sums.sides[side].ends / sums.sides[side].n_ends;
 
       Measured result;
       result.length = lengths(middles, load_factor);
@@ -270,18 +311,55 @@ namespace Heddle
         {
           const SideSums    &first = sums.sides[2 * i];
           const SideSums    &last  = sums.sides[2 * i + 1];
-          const Tensor<1, 3> outward =
-            kinematics.along[i] / kinematics.along[i].norm();
-          result.force[i] = 0.5 * (last.force - first.force) * outward;
+          Both<Tensor<1, 3>> outward;
+          outward.fill(kinematics.along[i] / kinematics.along[i].norm());
+          if (test.bending && test.bending->direction() == i)
+            {
+              for (unsigned int end = 0; end < 2; ++end)
+                outward[end] =
+                  test.bending->tangent(rest_middles[2 * i + end], load_factor);
+              result.length[i] = rest_length[i];
+            }
+          result.force[i] =
+            0.5 * (last.force * outward[1] - first.force * outward[0]);
           result.matrix_force[i] =
-            0.5 * (last.of_matrix - first.of_matrix) * outward;
+            0.5 * (last.of_matrix * outward[1] - first.of_matrix * outward[0]);
           result.work_force[i] = sums.work[i] / rest_length[i];
         }
       result.angle         = test.motion.shear_angle(load_factor);
       result.couple        = sums.couple;
       result.matrix_couple = sums.matrix_couple;
+      if (test.bending)
+        {
+          // The sides turn by the curvature times their distance.
+          const double length  = rest_length[test.bending->direction()];
+          result.curvature     = test.bending->curvature(load_factor);
+          result.moment        = sums.bending / length;
+          result.matrix_moment = sums.of_matrix / length;
+        }
       return result;
     }
+
+
+
+    double
+    FabricSupports::bending_work(const HeldBlock    &held,
+                                 const Tensor<1, 3> &force,
+                                 const Tensor<1, 3> &value,
+                                 const double        load_factor) const
+    {
+      const FabricBending &bending = *test.bending;
+      const Tensor<1, 3>   place   = held.position - origin;
+      const Tensor<1, 3>   turn    = bending.turn_rate(place);
+      if (held.kind != HeldBlock::Kind::position)
+        return force * cross_product_3d(turn, value);
+      // The ends of a yarn turn about their middle.
+      const Tensor<1, 3> lever =
+        value - held.position - bending.displacement(place, load_factor);
+      return force * (bending.displacement_rate(place, load_factor) +
+                      cross_product_3d(turn, lever));
+    }
+
 
 
     double
@@ -334,6 +412,28 @@ namespace Heddle
         values["shear_matrix_couple[N*mm]"] = last.matrix_couple;
       values["shear_tangent_stiffness[N*mm/rad]"] =
         slope(last.couple, before.couple, last.angle, before.angle);
+      if (test.bending)
+        report_bending(values);
+    }
+
+
+
+    void
+    FabricSupports::report_bending(std::map<std::string, double> &values) const
+    {
+      const unsigned int i         = test.bending->direction();
+      const bool         in_matrix = !test.supports[0]->matrix_sides.empty();
+      const auto         per_width = [&](const Measured &measured) {
+        return (measured.moment - measured.matrix_moment) / size.width[i] +
+               (in_matrix ? measured.matrix_moment / matrix_width[i] : 0.);
+      };
+      values["bending_curvature[1/mm]"]     = last.curvature;
+      values["bending_moment[N*mm]"]        = last.moment;
+      values["bending_moment_per_width[N]"] = per_width(last);
+      values["bending_stiffness[N*mm]"]     = slope(
+        per_width(last), per_width(before), last.curvature, before.curvature);
+      if (in_matrix)
+        values["bending_matrix_moment[N*mm]"] = last.matrix_moment;
     }
 
 
@@ -362,6 +462,13 @@ namespace Heddle
         }
       archive.write_number(name() + "/shear angle", last.angle);
       archive.write_number(name() + "/shear couple", last.couple);
+      if (test.bending)
+        {
+          archive.write_number(name() + "/neutral height", origin[2]);
+          archive.write_number(name() + "/curvature", last.curvature);
+          archive.write_number(name() + "/moment", last.moment);
+          archive.write_number(name() + "/matrix moment", last.matrix_moment);
+        }
     }
 
 
@@ -381,6 +488,13 @@ namespace Heddle
         }
       last.angle  = archive.read_number(name() + "/shear angle");
       last.couple = archive.read_number(name() + "/shear couple");
+      if (test.bending)
+        {
+          origin[2]          = archive.read_number(name() + "/neutral height");
+          last.curvature     = archive.read_number(name() + "/curvature");
+          last.moment        = archive.read_number(name() + "/moment");
+          last.matrix_moment = archive.read_number(name() + "/matrix moment");
+        }
     }
   } // namespace Contributions
 } // namespace Heddle

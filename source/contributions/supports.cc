@@ -25,6 +25,19 @@ namespace Heddle
         frame[2] = normals[1];
         return frame;
       }
+
+
+
+      /** Rows: what @p turned makes of the component @p first, and of the two
+       * others. */
+      Tensor<2, 3>
+      turned_frame(const Tensor<2, 3> &turned, const unsigned int first)
+      {
+        Tensor<2, 3> frame;
+        for (unsigned int d = 0; d < 3; ++d)
+          frame[d] = transpose(turned)[(first + d) % 3];
+        return frame;
+      }
     } // namespace
 
 
@@ -99,8 +112,20 @@ namespace Heddle
         if (holder != HeldBlock::nobody && motions[holder].angle)
           return Physics::Transformations::Rotations::rotation_matrix_3d(
             motions[holder].axis,
-            motions[holder].angle->value(held.position, load_factor));
+            motions[holder].angle->value(held.position - origin, load_factor));
       return unit_symmetric_tensor<3>();
+    }
+
+
+
+    std::optional<unsigned int>
+    Supports::slides_along(const HeldBlock &held) const
+    {
+      if (held.kind == HeldBlock::Kind::position && !held.is_in_matrix())
+        for (const unsigned int holder : held.holder)
+          if (holder != HeldBlock::nobody && supports[holder]->slides_along)
+            return supports[holder]->slides_along;
+      return {};
     }
 
 
@@ -120,7 +145,7 @@ namespace Heddle
       for (unsigned int d = 0; d < 3; ++d)
         if (held.holder[d] != HeldBlock::nobody)
           where[d] += motions[held.holder[d]].displacement[d]->value(
-            held.position, load_factor);
+            held.position - origin, load_factor);
       return where;
     }
 
@@ -141,6 +166,7 @@ namespace Heddle
                          });
       if (found == blocks.end() ||
           std::make_pair(found->fiber, found->block) != key ||
+          slides_along(*found) ||
           std::count(
             found->holder.begin(), found->holder.end(), HeldBlock::nobody) > 0)
         return {};
@@ -164,6 +190,13 @@ namespace Heddle
             if (held.kind == HeldBlock::Kind::direction)
               {
                 constraint.frame = frame_along(goal);
+                constraint.fixed = {{false, true, true}};
+                motion           = constraint.frame * motion;
+              }
+            else if (const auto free_component = slides_along(held))
+              {
+                constraint.frame = turned_frame(
+                  rotation(held, state.load_factor), *free_component);
                 constraint.fixed = {{false, true, true}};
                 motion           = constraint.frame * motion;
               }
@@ -252,8 +285,8 @@ namespace Heddle
                     : state.accepted()[block];
                 turns.push_back(
                   {block,
-                   (angle.value(held.position, state.load_factor) -
-                    angle.value(held.position, accepted_load_factor)) *
+                   (angle.value(held.position - origin, state.load_factor) -
+                    angle.value(held.position - origin, accepted_load_factor)) *
                      motions[holder].axis,
                    lever});
                 break;

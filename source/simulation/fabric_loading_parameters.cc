@@ -33,7 +33,8 @@ namespace Heddle
                  "'Restart/Stress free' is true. What the case lets go of, "
                  "as two sides in uniaxial tension, gives way before it is "
                  "loaded, and the tension with it: forces at load factor 0 "
-                 "are what is left, and may push. 'held': the sides stay where "
+                 "are what is left, and may push. 'bending': to a cylinder. "
+                 "'held': the sides stay where "
                  "they are, as for compression by 'Plates'. "
                  "'none': supports and loads as listed, if any. No other "
                  "entry is active then [-].");
@@ -41,7 +42,7 @@ namespace Heddle
                     strain,
                     "Engineering strain, where the ramp is 1, of the warp or, "
                     "in uniaxial tension, of the direction in which it is "
-                    "pulled. Inactive in shear and where sides are held [-].");
+                    "pulled. Inactive in other tests [-].");
       add_parameter("Strain ratios",
                     strain_ratios,
                     "Strain of the warp over that of the weft, one load case "
@@ -52,16 +53,20 @@ namespace Heddle
       add_choice(*this,
                  "Direction",
                  direction,
-                 "Which yarns are pulled; their ends keep their places "
-                 "across. Inactive unless 'Kind' is 'uniaxial tension' [-].");
+                 "Which yarns are pulled, and their ends keep their places "
+                 "across, or which are bent. Inactive unless 'Kind' is "
+                 "'uniaxial tension' or 'bending' [-].");
       add_choice(*this,
                  "Sides",
                  sides,
                  "What the two other sides do: 'held' keeps their distance, "
                  "while the yarns that end there may slide along the pull, "
                  "'free' leaves them free in the plane, for which there "
-                 "must be friction or a matrix. Both keep their height. "
-                 "Inactive unless 'Kind' is 'uniaxial tension' [-].");
+                 "must be friction or a matrix. Both keep their height. In "
+                 "bending they follow the cylinder, and 'free' leaves them "
+                 "free across. "
+                 "Inactive unless 'Kind' is 'uniaxial tension' or 'bending' "
+                 "[-].");
       add_parameter("Shear angles",
                     shear_angles,
                     "By how much the angle between warp and weft gets smaller, "
@@ -70,17 +75,36 @@ namespace Heddle
                     "shear' [degrees].",
                     prm,
                     Patterns::List(Patterns::Double(), 1));
+      add_parameter("Curvature",
+                    curvature,
+                    "To which the fabric is bent where the ramp is 1, upwards "
+                    "at its ends if it is positive. What keeps its length is "
+                    "the mean height of the yarns that are bent, by their "
+                    "axial stiffness. Inactive unless 'Kind' is 'bending' "
+                    "[1/mm].");
+      add_choice(*this,
+                 "Grip",
+                 grip,
+                 "'one side': fibers that are bent may slide along themselves "
+                 "at their last ends, as in a strip of which one end is free, "
+                 "so that yarns are as soft as their fibers let them be; "
+                 "'both sides': they are gripped at both ends, as by the "
+                 "clamps of a machine, and then those that lie higher in a "
+                 "yarn become shorter and resist, however long it is. "
+                 "Inactive unless 'Kind' is 'bending', and with a matrix, "
+                 "which grips them [-].");
       add_choice(*this,
                  "Ends",
                  ends,
                  "'hinged': sections at the ends of fibers are free to "
                  "turn; 'clamped': they turn as the fabric shears along "
                  "their yarns, or not at all where nothing turns. Sides "
-                 "that are free have free sections [-].");
+                 "that are free have free sections. Inactive in bending, "
+                 "where yarns that are bent are clamped, and no others [-].");
       add_parameter("Ramp",
                     ramp,
-                    "Formula of the load factor t by which strains and angles "
-                    "are multiplied, 0 at t = 0, for instance "
+                    "Formula of the load factor t by which strains, angles and "
+                    "the curvature are multiplied, 0 at t = 0, for instance "
                     "'1 - abs(2*t - 1)' to load and unload. Where it turns "
                     "back there is a load step [-].");
       parse_parameters_call_back.connect([this]() { check(); });
@@ -122,6 +146,9 @@ namespace Heddle
       require(is_shear() || (strain > -1. && strain < 10.),
               fabric_loading + "\"Strain\" is " + number_text(strain) +
                 "; it must lie between -1 and 10, and 0.02 are 2 %.");
+      require(!bends() || (std::isfinite(curvature) && curvature != 0.),
+              fabric_loading + "\"Curvature\" is " + number_text(curvature) +
+                "; a curvature is not 0, and 0.5 is that of a radius of 2 mm.");
       const std::string entry = is_shear() ? "Shear angles" : "Strain ratios";
       const auto        all   = numbers();
       for (auto number = all.begin(); number != all.end(); ++number)
@@ -199,6 +226,7 @@ namespace Heddle
             return shear_angles;
           case FabricTest::none:
           case FabricTest::held:
+          case FabricTest::bending:
           case FabricTest::uniaxial_tension:
             break;
         }
@@ -217,6 +245,8 @@ namespace Heddle
             return "biaxial" + value;
           case FabricTest::uniaxial_tension:
             return std::string("uniaxial ") + word(direction);
+          case FabricTest::bending:
+            return std::string("bending ") + word(direction);
           case FabricTest::picture_frame:
           case FabricTest::simple_shear:
             return word(kind) + value;
@@ -242,7 +272,7 @@ namespace Heddle
                         : Motion::Shear::picture_frame,
                       ramp);
       Motion::Both<double> strains = {{strain, strain / number}};
-      if (kind == FabricTest::held)
+      if (kind == FabricTest::held || bends())
         strains = {{0., 0.}};
       if (kind == FabricTest::uniaxial_tension)
         strains[direction == YarnSet::warp ? 1 : 0] = 0.;
@@ -281,10 +311,14 @@ namespace Heddle
                 if (sides == FreeSides::free)
                   support->displacement[along] = "free";
               }
-            support->yarns_are_bodies = is_shear();
+            support->yarns_are_bodies = is_shear() || bends();
             support->angle            = angles[along];
-            if (ends == SideSections::clamped &&
-                !(lateral && leaves_yarns_free()))
+            if (bends())
+              bend(family == direction,
+                   upper && grip == Grip::one_side && !matrix,
+                   *support);
+            else if (ends == SideSections::clamped &&
+                     !(lateral && leaves_yarns_free()))
               {
                 support->section = is_shear()
                                      ? Contributions::SupportedSection::turned
@@ -293,6 +327,35 @@ namespace Heddle
             list.push_back(support);
           }
       return list;
+    }
+
+
+
+    Contributions::FabricBending
+    FabricLoadingParameters::bending() const
+    {
+      return {static_cast<unsigned int>(direction), curvature, ramp};
+    }
+
+
+
+    void
+    FabricLoadingParameters::bend(const bool              bent,
+                                  const bool              slides,
+                                  Contributions::Support &support) const
+    {
+      const Contributions::FabricBending cylinder = bending();
+      support.displacement                        = cylinder.displacement();
+      support.angle                               = cylinder.turn_angle();
+      support.axis                                = cylinder.axis();
+      if (bent)
+        {
+          support.section = Contributions::SupportedSection::turned;
+          if (slides)
+            support.slides_along = cylinder.direction();
+        }
+      else if (sides == FreeSides::free)
+        support.displacement[1 - cylinder.direction()] = "free";
     }
 
 
@@ -306,10 +369,12 @@ namespace Heddle
         for (const double number : numbers())
           {
             const Contributions::FabricMotion moved = motion(number);
-            list.push_back({name(number),
-                            supports(moved, fibers, matrix),
-                            moved,
-                            {{pulls(YarnSet::warp), pulls(YarnSet::weft)}}});
+            list.push_back(
+              {name(number),
+               supports(moved, fibers, matrix),
+               moved,
+               {{pulls(YarnSet::warp), pulls(YarnSet::weft)}},
+               bends() ? std::make_optional(bending()) : std::nullopt});
           }
       return list;
     }

@@ -77,6 +77,10 @@ namespace Heddle
           "between these sides from being drawn out; set "
           "\"Contact/Friction coefficient\", enable the matrix, or set "
           "\"Sides\" to \"held\".");
+      require(!fabric_loading.bends() || !plates.are_there(),
+              file.name() +
+                ": Fabric loading/Kind is \"bending\", and Plates/Compression "
+                "is given: plates stay level; remove one of them.");
     }
 
 

@@ -184,9 +184,10 @@ namespace Heddle
           log << "\nNote           " << overlap;
         if (parameters.matrix.enabled &&
             parameters.matrix.material.law == Solid::MaterialLaw::linear &&
-            parameters.fabric_loading.largest_shear_angle() > large_angle)
+            (parameters.fabric_loading.largest_shear_angle() > large_angle ||
+             parameters.fabric_loading.bends()))
           log << "\nNote           Matrix/Law is linear, which takes turns for "
-                 "strains: under such shear another one is right";
+                 "strains: under such loads another one is right";
       }
 
 

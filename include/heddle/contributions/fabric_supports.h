@@ -1,9 +1,11 @@
 #ifndef heddle_contributions_fabric_supports_h
 #define heddle_contributions_fabric_supports_h
 
+#include <heddle/contributions/fabric_bending.h>
 #include <heddle/contributions/fabric_motion.h>
 #include <heddle/contributions/supports.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,9 @@ namespace Heddle
 
       /** Whether it is pulled along warp and weft: their length is a load. */
       FabricMotion::Both<bool> pulls;
+
+      /** Then nothing else moves. */
+      std::optional<FabricBending> bending;
     };
 
 
@@ -37,7 +42,7 @@ namespace Heddle
 
     /**
      * The supports of the four sides of a woven sample, and what a test of it
-     * measures: lengths, forces, couple.
+     * measures: lengths, forces, couple and, where it is bent, the moment.
      */
     class FabricSupports : public Supports
     {
@@ -83,6 +88,9 @@ namespace Heddle
         double       angle         = 0.; /**< shear angle [rad] */
         double       couple        = 0.; /**< conjugate to it [N mm] */
         double       matrix_couple = 0.; /**< part of it [N mm] */
+        double       curvature     = 0.; /**< [1/mm] */
+        double       moment        = 0.; /**< conjugate to the turn [N mm] */
+        double       matrix_moment = 0.; /**< part of it [N mm] */
       };
 
       static constexpr unsigned int n_sides = 4;
@@ -103,6 +111,8 @@ namespace Heddle
         Both<double> work          = {}; /**< conjugate to the strains [N mm] */
         double       couple        = 0.; /**< conjugate to the angle [N mm] */
         double       matrix_couple = 0.; /**< part of it [N mm] */
+        double       bending       = 0.; /**< to the curvature [N mm^2] */
+        double       of_matrix     = 0.; /**< part of it [N mm^2] */
       };
 
       /** How the sides move at one load factor, see FabricMotion. */
@@ -123,6 +133,14 @@ namespace Heddle
                    const Kinematics   &kinematics,
                    Sums               &sums);
 
+      /** The @p force on a held block: its work for a unit of curvature
+       * [N mm^2]. */
+      double
+      bending_work(const HeldBlock    &held,
+                   const Tensor<1, 3> &force,
+                   const Tensor<1, 3> &value,
+                   const double        load_factor) const;
+
       /** Return what is measured, by sums over all ranks. */
       Measured
       measure(const Sums       &sums,
@@ -133,14 +151,25 @@ namespace Heddle
       void
       find_sides(const System::State &state);
 
+      /**
+       * The mean height of the yarns that are bent, along their length and by
+       * their axial stiffness: where a moment alone bends them they keep their
+       * length there.
+       */
+      void
+      find_neutral_surface(const System::State &state);
+
       /** What forces and couples are divided by. */
       void
       find_areas();
 
       /** From the middles of the four sides, by the ends of the fibers. */
       Both<double>
-      lengths(const std::vector<Tensor<1, 3>> &middles,
-              const double                     load_factor) const;
+      lengths(const std::array<Tensor<1, 3>, n_sides> &middles,
+              const double                             load_factor) const;
+
+      void
+      report_bending(std::map<std::string, double> &values) const;
 
       /** Difference quotient over the last step, NaN if nothing moved. */
       static double
@@ -149,13 +178,15 @@ namespace Heddle
             const double at,
             const double at_before);
 
+      const System::FiberSpace &space;
       const FabricCase         &test;
       const FabricSize          size;
       std::vector<unsigned int> sides_of; /**< bits, of each held block */
-      Both<double>              rest_length  = {};
-      Both<double>              matrix_width = {}; /**< 0 without one [mm] */
-      double                    sheared_area = 0.; /**< [mm^2] */
-      Measured                  now, last, before;
+      std::array<Tensor<1, 3>, n_sides> rest_middles; /**< of the sides [mm] */
+      Both<double>                      rest_length = {};
+      Both<double> matrix_width = {}; /**< 0 without one [mm] */
+      double       sheared_area = 0.; /**< [mm^2] */
+      Measured     now, last, before;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,12 @@ namespace Heddle
        * turned about it by the angle. Fibers that touch keep their distance.
        */
       bool yarns_are_bodies = false;
+
+      /**
+       * Component along which fibers may slide, turned by the angle: of their
+       * positions only what is normal to it is held.
+       */
+      std::optional<unsigned int> slides_along;
 
       /** Whether it leaves this component of positions alone. */
       bool

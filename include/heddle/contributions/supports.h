@@ -98,6 +98,9 @@ namespace Heddle
         return blocks;
       }
 
+      /** Where formulas count positions from [mm]. */
+      Tensor<1, 3> origin;
+
     private:
       /** The formulas of one support; free components have none. */
       struct Motion
@@ -117,6 +120,10 @@ namespace Heddle
       /** The rotation of the sections that a support holds. */
       Tensor<2, 3>
       rotation(const HeldBlock &held, const double load_factor) const;
+
+      /** The component along which the node of a block may slide, if any. */
+      std::optional<unsigned int>
+      slides_along(const HeldBlock &held) const;
 
       /** Where the motion takes a block; free components: its reference. */
       Tensor<1, 3>

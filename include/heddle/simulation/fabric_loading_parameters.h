@@ -23,6 +23,7 @@ namespace Heddle
       uniaxial_tension,
       picture_frame,
       simple_shear,
+      bending,
       held
     };
 
@@ -42,6 +43,8 @@ namespace Heddle
             return "picture frame";
           case FabricTest::simple_shear:
             return "simple shear";
+          case FabricTest::bending:
+            return "bending";
           case FabricTest::held:
             return "held";
         }
@@ -92,6 +95,29 @@ namespace Heddle
 
 
 
+    /** Which sides keep the fibers that are bent from sliding along. */
+    enum class Grip
+    {
+      one_side,
+      both_sides
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const Grip grip)
+    {
+      switch (grip)
+        {
+          case Grip::one_side:
+            return "one side";
+          case Grip::both_sides:
+            return "both sides";
+        }
+      return nullptr;
+    }
+
+
+
     /** Which fibers end at each side of a fabric, as a support names them:
      * first and last ends of the warp, then of the weft. */
     using FibersAtSides = std::array<std::string, 4>;
@@ -111,11 +137,17 @@ namespace Heddle
         return kind != FabricTest::none;
       }
 
-      /** Whether the ends of some yarns are free in the plane. */
+      /** Whether the ends of some yarns are free along them. */
       bool
       leaves_yarns_free() const
       {
-        return kind == FabricTest::uniaxial_tension && sides == FreeSides::free;
+        return has_direction() && sides == FreeSides::free;
+      }
+
+      bool
+      bends() const
+      {
+        return kind == FabricTest::bending;
       }
 
       /** Of all load cases [degrees]; 0 where none shears. */
@@ -151,6 +183,13 @@ namespace Heddle
                kind == FabricTest::simple_shear;
       }
 
+      /** Whether it acts along the yarns of one direction only. */
+      bool
+      has_direction() const
+      {
+        return kind == FabricTest::uniaxial_tension || bends();
+      }
+
       /** Strain ratios or shear angles; one number without meaning if none. */
       std::vector<double>
       numbers() const;
@@ -167,12 +206,26 @@ namespace Heddle
                const FibersAtSides               &fibers,
                const bool                         matrix) const;
 
+      /**
+       * Let a support, of yarns that are bent or of others, bend the fabric.
+       * Fibers that it @p slides hold may slide along themselves.
+       */
+      void
+      bend(const bool              bent,
+           const bool              slides,
+           Contributions::Support &support) const;
+
+      Contributions::FabricBending
+      bending() const;
+
       FabricTest          kind          = FabricTest::none;
       double              strain        = 0.02;
       std::vector<double> strain_ratios = {1.};
       YarnSet             direction     = YarnSet::warp;
       FreeSides           sides         = FreeSides::free;
       std::vector<double> shear_angles  = {20.};
+      double              curvature     = 1.;
+      Grip                grip          = Grip::one_side;
       SideSections        ends          = SideSections::hinged;
       std::string         ramp          = "t";
     };
