@@ -267,7 +267,8 @@ namespace Heddle
     Computation::end_stage(const Stage &stage)
     {
       if (n_unstable_steps > 0)
-        log << "Note           " << n_unstable_steps << " steps of stage "
+        log << "Note           " << n_unstable_steps
+            << (n_unstable_steps == 1 ? " step" : " steps") << " of stage "
             << stage.name
             << " ended in an equilibrium that is not stable: a small "
                "disturbance, such as a force across, leads to another one"

@@ -1,10 +1,12 @@
 #include <heddle/post/bend.h>
+#include <heddle/simulation/chosen_ends.h>
 #include <heddle/simulation/held_overlap.h>
 #include <heddle/simulation/scene_notes.h>
 #include <heddle/textile/lost_fibers.h>
 #include <heddle/textile/spun_yarns.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -102,6 +104,51 @@ namespace Heddle
 
 
 
+      /** By how much a curve turns from end to end, all ways [degrees]. */
+      double
+      turned_by(const Polyline &points)
+      {
+        double angle = 0.;
+        for (unsigned int i = 2; i < points.size(); ++i)
+          {
+            const Tensor<1, 3> before = points[i - 1] - points[i - 2],
+                               after  = points[i] - points[i - 1];
+            angle += std::atan2(cross_product_3d(before, after).norm(),
+                                before * after);
+          }
+        return angle * 180. / numbers::PI;
+      }
+
+
+
+      /** Fibers that keep no plane of their bends, which nothing else holds
+       * either, or nothing. */
+      std::string
+      limp_fibers(const Scene &scene, const Parameters &parameters)
+      {
+        if (parameters.fiber.element_kind != Beam::ElementKind::hermite ||
+            scene.weave() || parameters.centerlines.straight_when_free ||
+            parameters.matrix.enabled || scene.stages().empty())
+          return "";
+        constexpr double    much  = 10.;
+        const auto         &paths = scene.fiber_paths();
+        std::vector<double> angles;
+        for (const Textile::FiberPath &path : paths)
+          angles.push_back(turned_by(path.points));
+        const auto most = std::max_element(angles.begin(), angles.end());
+        if (*most < much)
+          return "";
+        return "fibers are curved when free, fiber " +
+               std::to_string(most - angles.begin()) + " by " +
+               std::to_string(std::lround(*most)) +
+               " degrees, and without torsion, as Fiber/Element = hermite has "
+               "them, they bend into another plane for nothing: forces may be "
+               "far too small; 'director' has torsion, and with "
+               "Centerlines/Straight when free they resist all bends";
+      }
+
+
+
       /** Contact of the fibers that were given, where they start. */
       std::unique_ptr<Contributions::FiberContact>
       contact_at_start(const Scene      &scene,
@@ -135,7 +182,10 @@ namespace Heddle
            {parameters.fabric_loading.strain_in_percent(),
             turned_back(scene, file),
             crumbled_fiber(scene),
-            missed_points(scene, file)})
+            missed_points(scene, file),
+            limp_fibers(scene, parameters)})
+        notes.push_back(note);
+      for (const std::string &note : notes_on_chosen_ends(scene, parameters))
         notes.push_back(note);
       notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
       return notes;
@@ -164,6 +214,7 @@ namespace Heddle
         notes.push_back("at the start there is a " + deepest +
                         ", which contact has to undo; move fibers apart if it "
                         "finds no equilibrium");
+      notes.push_back(ends_that_meet(scene));
       notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
       return notes;
     }
