@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -434,20 +433,6 @@ namespace Heddle
 
 
 
-    double
-    Plates::energy_of_hardening() const
-    {
-      // As FiberContact has it, for the force of each fiber on a plate.
-      double sum = 0.;
-      for (unsigned int k = 0; k < touches.size(); ++k)
-        if (touches[k].force > 0.)
-          sum += touches[k].energy * (touches[k].hardened - 1.) *
-                 accepted_touches[k].force / touches[k].force;
-      return Utilities::MPI::sum(sum, space.communicator());
-    }
-
-
-
     void
     Plates::accept_step(const System::State &state)
     {
@@ -472,93 +457,6 @@ namespace Heddle
     {
       touches = accepted_touches;
       points.clear();
-    }
-
-
-
-    std::string
-    Plates::status() const
-    {
-      std::ostringstream text;
-      text << "plates " << std::scientific << std::setprecision(1)
-           << 0.5 * (sums.force[0] + sums.force[1]) << " N";
-      return text.str();
-    }
-
-
-
-    void
-    Plates::report(const System::State &,
-                   std::map<std::string, double> &values) const
-    {
-      const double force    = 0.5 * (accepted_force[0] + accepted_force[1]);
-      const double distance = accepted_positions[1] - accepted_positions[0];
-      values["plate_distance[mm]"] = distance;
-      values["plate_force[N]"]     = force;
-      if (covered)
-        values["plate_pressure[MPa]"] = force / covered->volume();
-      values["plate_energy[N*mm]"]             = sums.energy;
-      values["plate_hardening[N*mm]"]          = hardening;
-      values["max_plate_penetration_ratio[-]"] = deepest;
-      values["external_work[N*mm]"] += work;
-    }
-
-
-
-    void
-    Plates::save(ArchiveWriter &archive, const System::State &) const
-    {
-      std::vector<double> rows;
-      for (const Touch &touch : accepted_touches)
-        rows.insert(rows.end(),
-                    {touch.begin, touch.end, touch.penalty, touch.force});
-      archive.write(name() + "/touches",
-                    n_plates * space.owned_fibers().first,
-                    n_plates * space.n_fibers(),
-                    rows,
-                    4);
-      for (unsigned int plate = 0; plate < n_plates; ++plate)
-        {
-          const std::string of = name() + (plate == 0 ? "/lower" : "/upper");
-          archive.write_number(of + " begin", begin[plate]);
-          archive.write_number(of + " position", accepted_positions[plate]);
-          archive.write_number(of + " force", accepted_force[plate]);
-        }
-      archive.write_number(name() + "/stretches", accepted_stretches);
-      archive.write_number(name() + "/largest mean force", largest_mean_force);
-      archive.write_number(name() + "/work", work);
-      archive.write_number(name() + "/hardening", hardening);
-    }
-
-
-
-    void
-    Plates::load(const ArchiveReader &archive, const System::State &)
-    {
-      const std::vector<double> rows =
-        archive.read(name() + "/touches",
-                     n_plates * space.owned_fibers().first,
-                     touches.size(),
-                     4);
-      for (unsigned int k = 0; k < touches.size(); ++k)
-        {
-          touches[k].begin   = rows[4 * k];
-          touches[k].end     = rows[4 * k + 1];
-          touches[k].penalty = rows[4 * k + 2];
-          touches[k].force   = rows[4 * k + 3];
-        }
-      accepted_touches = touches;
-      for (unsigned int plate = 0; plate < n_plates; ++plate)
-        {
-          const std::string of = name() + (plate == 0 ? "/lower" : "/upper");
-          begin[plate]         = archive.read_number(of + " begin");
-          accepted_positions[plate] = archive.read_number(of + " position");
-          accepted_force[plate]     = archive.read_number(of + " force");
-        }
-      accepted_stretches = archive.read_number(name() + "/stretches");
-      largest_mean_force = archive.read_number(name() + "/largest mean force");
-      work               = archive.read_number(name() + "/work");
-      hardening          = archive.read_number(name() + "/hardening");
     }
   } // namespace Contributions
 } // namespace Heddle

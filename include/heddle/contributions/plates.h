@@ -125,13 +125,42 @@ namespace Heddle
       void
       load(const ArchiveReader &archive, const System::State &state) override;
 
-    private:
       /** Below and above. */
       static constexpr unsigned int n_plates = 2;
 
       template <typename Value>
       using Both = std::array<Value, n_plates>;
 
+      /** Whether a stage has begun, in which they are somewhere. */
+      bool
+      are_placed() const
+      {
+        return begin[1] > begin[0];
+      }
+
+      /** Where they are in the last step that was accepted [mm]. */
+      const Both<double> &
+      heights() const
+      {
+        return accepted_positions;
+      }
+
+      /** What presses on each there [N]. */
+      const Both<double> &
+      forces() const
+      {
+        return accepted_force;
+      }
+
+      /**
+       * What they are drawn over: what they cover or, where that is all, as far
+       * as fibers reach now.
+       * @note Collective.
+       */
+      BoundingBox<2>
+      extent(const System::State &state) const;
+
+    private:
       /** A material point that is in a plate. */
       struct TouchingPoint
       {
@@ -200,6 +229,10 @@ namespace Heddle
       /** Find which parts of fibers the plates cover now. */
       void
       cover(const System::State &state);
+
+      /** Fibers over the volume between the plates, where they cover [-]. */
+      double
+      volume_fraction(const System::State &state) const;
 
       /** Find the points that are in a plate. */
       void
