@@ -16,8 +16,14 @@ def read_history(directory):
 
 
 # Beside those that are called so.
-ENERGIES = ("external_work", "contact_hardening", "friction_stored",
-            "friction_dissipated")
+ENERGIES = ("external_work", "contact_hardening", "plate_hardening",
+            "friction_stored", "friction_dissipated")
+
+# What compression.png shows, not over the steps.
+PLATES = {"plate_distance": "distance of the plates",
+          "plate_force": "force on a plate",
+          "plate_pressure": "pressure of the plates",
+          "plate_volume_fraction": "fiber volume fraction between the plates"}
 
 
 def comparable(name):
@@ -33,7 +39,7 @@ def panels_of(columns):
     groups = {"Residual": [], "Penetration over radius": [], "Contacts": [],
               "Penalty": [], "Energy": [], "Newton iterations": []}
     for name in columns:
-        if name in ("step", "stage", "load_factor") or \
+        if name in ("step", "stage", "load_factor", *PLATES) or \
                 not np.nan_to_num(columns[name][1]).any():
             continue
         if "residual" in name:

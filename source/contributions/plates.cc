@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -28,6 +27,9 @@ namespace Heddle
       /** No guess is followed that lays fibers so deep in a plate, in radii, or
        * leaves less than this part of what touched it. */
       constexpr double deepest_credible = 0.3, least_left = 0.1;
+
+      /** A plate that no fiber comes so near to is none [radii]. */
+      constexpr double reach = 0.3;
 
       /** Largest factor by which a penalty grows at once, and in all. */
       constexpr double growth_at_once = 4., growth_in_all = 1e7;
@@ -85,14 +87,23 @@ namespace Heddle
           return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
         }
 
-        /** No value is larger: the largest control point of Bezier's form. */
+        /** The control points of Bezier's form, between which all values are.
+         */
+        std::array<double, 4>
+        control_points() const
+        {
+          return {{c[0],
+                   c[0] + c[1] / 3.,
+                   c[0] + (2. * c[1] + c[2]) / 3.,
+                   value(1.)}};
+        }
+
+        /** No value is larger. */
         double
         bound() const
         {
-          return std::max({c[0],
-                           c[0] + c[1] / 3.,
-                           c[0] + (2. * c[1] + c[2]) / 3.,
-                           value(1.)});
+          const auto points = control_points();
+          return *std::max_element(points.begin(), points.end());
         }
 
       private:
@@ -212,6 +223,100 @@ namespace Heddle
     {
       place_points(state);
       gather_sums();
+      reached = is_reached(state);
+    }
+
+
+
+    std::array<double, 4>
+    Plates::outwards_along(const Tensor<1, 3> *blocks,
+                           const unsigned int  touch,
+                           const unsigned int  interval) const
+    {
+      const unsigned int    f = fiber_of(touch);
+      const double *const   s = space.node_positions(f) + interval;
+      std::array<double, 4> values;
+      for (unsigned int i = 0; i < 4; ++i)
+        values[i] =
+          outwards(touch) *
+          space.locate(f, s[0] + i / 3. * (s[1] - s[0])).position(blocks)[2];
+      return values;
+    }
+
+
+
+    std::array<double, 4>
+    Plates::depths_along(const System::State &state,
+                         const unsigned int   touch,
+                         const unsigned int   interval,
+                         const double         plate) const
+    {
+      const unsigned int    f = fiber_of(touch);
+      std::array<double, 4> depths =
+        outwards_along(state.fiber(f), touch, interval);
+      for (double &depth : depths)
+        depth += space.fiber(f).radius - outwards(touch) * plate;
+      return depths;
+    }
+
+
+
+    template <typename Action>
+    void
+    Plates::for_each_covered(const Action &action) const
+    {
+      for (unsigned int k = 0; k < touches.size(); ++k)
+        {
+          const unsigned int  f = fiber_of(k);
+          const double *const s = space.node_positions(f);
+          for (unsigned int i = 0; i + 1 < space.fiber(f).n_nodes; ++i)
+            if (s[i + 1] > touches[k].begin && s[i] < touches[k].end)
+              action(k, i);
+        }
+    }
+
+
+
+    bool
+    Plates::is_reached(const System::State &state) const
+    {
+      const Both<double> plates = positions(state.load_factor);
+      bool               found  = !points.empty();
+      for_each_covered([&](const unsigned int k, const unsigned int i) {
+        // Not all have to be looked at.
+        found = found ||
+                Cubic(depths_along(state, k, i, plates[k % n_plates])).bound() >
+                  -reach * space.fiber(fiber_of(k)).radius;
+      });
+      return Utilities::MPI::logical_or(found, space.communicator());
+    }
+
+
+
+    double
+    Plates::searched_step(const System::State     &state,
+                          const System::Increment &increment) const
+    {
+      double longest = std::numeric_limits<double>::max();
+      if (reached)
+        return longest;
+      // Within reach, but not yet in contact.
+      const Both<double> plates = positions(state.load_factor);
+      for_each_covered([&](const unsigned int k, const unsigned int i) {
+        const unsigned int f = fiber_of(k);
+        const auto         depths =
+          Cubic(depths_along(state, k, i, plates[k % n_plates]))
+            .control_points();
+        const auto motions =
+          Cubic(outwards_along(increment.data() + state.local_block(f), k, i))
+            .control_points();
+        for (unsigned int j = 0; j < 4; ++j)
+          if (motions[j] > 0.)
+            longest = std::min(
+              longest,
+              (-0.5 * reach * space.fiber(f).radius - depths[j]) / motions[j]);
+      });
+      return longest;
     }
 
 
@@ -248,19 +353,11 @@ namespace Heddle
                          const unsigned int   interval,
                          const double         plate)
     {
-      const unsigned int  f     = fiber_of(touch);
-      Touch              &sum   = touches[touch];
-      const double *const s     = space.node_positions(f) + interval;
-      const double        h     = s[1] - s[0];
-      const auto          depth = [&](const double t) {
-        return space.fiber(f).radius +
-               outwards(touch) *
-                 (space.locate(f, s[0] + t * h).position(state.fiber(f))[2] -
-                  plate);
-      };
-      const std::array<double, 4> depths = {
-        {depth(0.), depth(1. / 3.), depth(2. / 3.), depth(1.)}};
-      const Cubic cubic(depths);
+      const unsigned int  f   = fiber_of(touch);
+      Touch              &sum = touches[touch];
+      const double *const s   = space.node_positions(f) + interval;
+      const double        h   = s[1] - s[0];
+      const Cubic         cubic(depths_along(state, touch, interval, plate));
       if (cubic.bound() <= 0.)
         return;
 
@@ -434,20 +531,6 @@ namespace Heddle
 
 
 
-    double
-    Plates::energy_of_hardening() const
-    {
-      // As FiberContact has it, for the force of each fiber on a plate.
-      double sum = 0.;
-      for (unsigned int k = 0; k < touches.size(); ++k)
-        if (touches[k].force > 0.)
-          sum += touches[k].energy * (touches[k].hardened - 1.) *
-                 accepted_touches[k].force / touches[k].force;
-      return Utilities::MPI::sum(sum, space.communicator());
-    }
-
-
-
     void
     Plates::accept_step(const System::State &state)
     {
@@ -472,93 +555,6 @@ namespace Heddle
     {
       touches = accepted_touches;
       points.clear();
-    }
-
-
-
-    std::string
-    Plates::status() const
-    {
-      std::ostringstream text;
-      text << "plates " << std::scientific << std::setprecision(1)
-           << 0.5 * (sums.force[0] + sums.force[1]) << " N";
-      return text.str();
-    }
-
-
-
-    void
-    Plates::report(const System::State &,
-                   std::map<std::string, double> &values) const
-    {
-      const double force    = 0.5 * (accepted_force[0] + accepted_force[1]);
-      const double distance = accepted_positions[1] - accepted_positions[0];
-      values["plate_distance[mm]"] = distance;
-      values["plate_force[N]"]     = force;
-      if (covered)
-        values["plate_pressure[MPa]"] = force / covered->volume();
-      values["plate_energy[N*mm]"]             = sums.energy;
-      values["plate_hardening[N*mm]"]          = hardening;
-      values["max_plate_penetration_ratio[-]"] = deepest;
-      values["external_work[N*mm]"] += work;
-    }
-
-
-
-    void
-    Plates::save(ArchiveWriter &archive, const System::State &) const
-    {
-      std::vector<double> rows;
-      for (const Touch &touch : accepted_touches)
-        rows.insert(rows.end(),
-                    {touch.begin, touch.end, touch.penalty, touch.force});
-      archive.write(name() + "/touches",
-                    n_plates * space.owned_fibers().first,
-                    n_plates * space.n_fibers(),
-                    rows,
-                    4);
-      for (unsigned int plate = 0; plate < n_plates; ++plate)
-        {
-          const std::string of = name() + (plate == 0 ? "/lower" : "/upper");
-          archive.write_number(of + " begin", begin[plate]);
-          archive.write_number(of + " position", accepted_positions[plate]);
-          archive.write_number(of + " force", accepted_force[plate]);
-        }
-      archive.write_number(name() + "/stretches", accepted_stretches);
-      archive.write_number(name() + "/largest mean force", largest_mean_force);
-      archive.write_number(name() + "/work", work);
-      archive.write_number(name() + "/hardening", hardening);
-    }
-
-
-
-    void
-    Plates::load(const ArchiveReader &archive, const System::State &)
-    {
-      const std::vector<double> rows =
-        archive.read(name() + "/touches",
-                     n_plates * space.owned_fibers().first,
-                     touches.size(),
-                     4);
-      for (unsigned int k = 0; k < touches.size(); ++k)
-        {
-          touches[k].begin   = rows[4 * k];
-          touches[k].end     = rows[4 * k + 1];
-          touches[k].penalty = rows[4 * k + 2];
-          touches[k].force   = rows[4 * k + 3];
-        }
-      accepted_touches = touches;
-      for (unsigned int plate = 0; plate < n_plates; ++plate)
-        {
-          const std::string of = name() + (plate == 0 ? "/lower" : "/upper");
-          begin[plate]         = archive.read_number(of + " begin");
-          accepted_positions[plate] = archive.read_number(of + " position");
-          accepted_force[plate]     = archive.read_number(of + " force");
-        }
-      accepted_stretches = archive.read_number(name() + "/stretches");
-      largest_mean_force = archive.read_number(name() + "/largest mean force");
-      work               = archive.read_number(name() + "/work");
-      hardening          = archive.read_number(name() + "/hardening");
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -7,18 +7,19 @@ namespace Heddle
     OutputParameters::OutputParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
-      add_parameter(
-        "Interval",
-        interval,
-        "Write fibers, contacts and matrix every so many load steps, and "
-        "after the last step of each stage; 0: never, and nothing "
-        "is computed for it [steps].",
-        prm,
-        Patterns::Integer(0));
+      add_parameter("Interval",
+                    interval,
+                    "Write fibers, contacts, plates and matrix every so many "
+                    "load steps, and "
+                    "after the last step of each stage; 0: never, and nothing "
+                    "is computed for it [steps].",
+                    prm,
+                    Patterns::Integer(0));
       add_parameter("Fibers",
                     fibers,
                     "Whether to write the fibers, with their strains and "
-                    "section forces, as lines (fibers.pvd) [-].");
+                    "section forces, as lines (fibers.pvd), and with them the "
+                    "plates, if there are any (plates.pvd) [-].");
       add_parameter("Subdivisions",
                     subdivisions,
                     "Straight pieces by which the smooth centerline of one "

@@ -76,6 +76,7 @@ namespace Heddle
 
     template class PatchFile<0>;
     template class PatchFile<1>;
+    template class PatchFile<2>;
     template class PatchFile<3>;
   } // namespace IO
 } // namespace Heddle

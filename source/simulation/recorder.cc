@@ -174,7 +174,7 @@ namespace Heddle
            {"history.csv", "yarns.csv", "orientation.csv", centerlines})
         files::remove(directory + "/" + name);
       for (const std::string name :
-           {"fibers", "contacts", "matrix", "coupling"})
+           {"fibers", "contacts", "plates", "matrix", "coupling"})
         IO::Collection::remove(directory, name);
       IO::Checkpoint::remove_all(directory);
     }
@@ -198,6 +198,9 @@ namespace Heddle
       if (parameters.output.interval > 0 && parameters.output.fibers)
         fibers = std::make_unique<IO::FiberOutput>(
           scene.space(), parameters.output.subdivisions, directory, next);
+      if (fibers && parameters.plates.are_there())
+        plates = std::make_unique<IO::PlateOutput>(
+          directory, scene.space().communicator(), next);
       if (parameters.output.interval > 0 && parameters.output.contacts &&
           scene.contact())
         contacts =
@@ -408,8 +411,29 @@ namespace Heddle
                         place.number,
                         time,
                         group);
+      if (plates)
+        write_plates(place, time, group);
       if (matrix && scene.matrix())
         write_matrix(place, time, group);
+    }
+
+
+
+    void
+    Recorder::write_plates(const Place       &place,
+                           const double       time,
+                           const std::string &group)
+    {
+      const Contributions::Plates *const drawn =
+        place.stage < scene.stages().size() ? scene.plates(place.stage)
+                                            : nullptr;
+      if (drawn && drawn->are_placed())
+        plates->write(drawn->extent(scene.state()),
+                      drawn->heights(),
+                      drawn->forces(),
+                      place.number,
+                      time,
+                      group);
     }
 
 

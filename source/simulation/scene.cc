@@ -3,7 +3,6 @@
 #include <heddle/base/file.h>
 #include <heddle/contributions/crossing_enforcement.h>
 #include <heddle/contributions/loads.h>
-#include <heddle/contributions/plates.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/post/bend.h>
 #include <heddle/simulation/fiber_placement.h>
@@ -480,6 +479,18 @@ namespace Heddle
       stage.contributions.push_back(std::make_shared<Contributions::Plates>(
         *fiber_space, parameters.plates, threshold, covered));
       stage.plan.reach(parameters.plates.turning_points());
+    }
+
+
+
+    const Contributions::Plates *
+    Scene::plates(const unsigned int stage) const
+    {
+      for (const auto &contribution : all_stages[stage].contributions)
+        if (const auto *const found =
+              dynamic_cast<const Contributions::Plates *>(contribution.get()))
+          return found;
+      return nullptr;
     }
 
 

@@ -3,7 +3,8 @@
 // said along a motion is the same, and nothing is pushed along the plates.
 // Penalties grow with the penetration, but not without end, and are taken back
 // with a step. Plates that do not cover all of a fiber leave the rest alone.
-// Wild guesses are not followed.
+// Wild guesses are not followed. Plates that have parted from a fiber are no
+// nonsmooth term, and it gets no further than into their reach unseen.
 #include <heddle/contributions/plates.h>
 
 #include "../contact/contact_scene.h"
@@ -320,6 +321,45 @@ guesses()
 
 
 
+/**
+ * Plates at a distance of 0.1, 0.2 and 0.5 radii from a level fiber: a step
+ * that lifts it ends at 0.15 radii from the upper one, and sooner where it
+ * makes a wave between two nodes. An end that is not covered goes where it
+ * likes.
+ */
+void
+reach()
+{
+  LevelFiber fiber(BoundingBox<2>({Point<2>(-15., -5.), Point<2>(5., 5.)}));
+  auto      &state = fiber.scene.state;
+  Motion     lifted(state.current().size());
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    lifted[2 * i][2] = 1.;
+  Motion end_lifted(state.current().size());
+  end_lifted[2 * n_intervals][2] = 100.;
+  Motion turned                  = lifted;
+  // Control points lie above the nodes by the slope times a third of h.
+  const double h       = 40. / n_intervals;
+  turned[2 * 6 + 1][2] = 0.1;
+  turned[2 * 7 + 1][2] = -0.1;
+  for (const double distance : {0.1, 0.2, 0.5})
+    {
+      state.load_factor = -distance;
+      fiber.plates.update(state);
+      deallog << distance << " away: nonsmooth " << fiber.plates.is_nonsmooth();
+      if (!fiber.plates.is_nonsmooth())
+        deallog << ", lifted by " << fiber.plates.searched_step(state, lifted)
+                << ", in a wave by "
+                << fiber.plates.searched_step(state, turned) *
+                     (1. + 0.1 * h / 3.)
+                << ", its end alone by more than 1: "
+                << (fiber.plates.searched_step(state, end_lifted) > 1.);
+      deallog << std::endl;
+    }
+}
+
+
+
 int
 main(int argc, char **argv)
 {
@@ -328,4 +368,5 @@ main(int argc, char **argv)
   run_part("Penalties", penalties);
   run_part("Covered parts", covered);
   run_part("Guesses", guesses);
+  run_part("Reach", reach);
 }

@@ -30,6 +30,8 @@ namespace Heddle
      * material points that are below a plate when a stage begins. The penalty
      * of each fiber at each plate grows until it is no deeper than the
      * threshold. d is linear in the unknowns, so that the tangent is exact.
+     * Without fibers near a plate this is no term at all, until a step leads
+     * them there.
      */
     class Plates : public System::NonsmoothContribution
     {
@@ -61,6 +63,18 @@ namespace Heddle
       {
         place_points(state);
       }
+
+      /** Whether a fiber is within reach of a plate. */
+      bool
+      is_nonsmooth() const override
+      {
+        return reached;
+      }
+
+      /** Where none is within reach: to where the first one will be. */
+      double
+      searched_step(const System::State     &state,
+                    const System::Increment &increment) const override;
 
       void
       add_pattern(const System::State  &state,
@@ -125,13 +139,42 @@ namespace Heddle
       void
       load(const ArchiveReader &archive, const System::State &state) override;
 
-    private:
       /** Below and above. */
       static constexpr unsigned int n_plates = 2;
 
       template <typename Value>
       using Both = std::array<Value, n_plates>;
 
+      /** Whether a stage has begun, in which they are somewhere. */
+      bool
+      are_placed() const
+      {
+        return begin[1] > begin[0];
+      }
+
+      /** Where they are in the last step that was accepted [mm]. */
+      const Both<double> &
+      heights() const
+      {
+        return accepted_positions;
+      }
+
+      /** What presses on each there [N]. */
+      const Both<double> &
+      forces() const
+      {
+        return accepted_force;
+      }
+
+      /**
+       * What they are drawn over: what they cover or, where that is all, as far
+       * as fibers reach now.
+       * @note Collective.
+       */
+      BoundingBox<2>
+      extent(const System::State &state) const;
+
+    private:
       /** A material point that is in a plate. */
       struct TouchingPoint
       {
@@ -201,6 +244,33 @@ namespace Heddle
       void
       cover(const System::State &state);
 
+      /** Whether a fiber is within reach of a plate, on any rank. */
+      bool
+      is_reached(const System::State &state) const;
+
+      /** Call @p action (touch, interval) for the covered ones. */
+      template <typename Action>
+      void
+      for_each_covered(const Action &action) const;
+
+      /** How far @p blocks of a fiber, positions or motions, are outwards at
+       * both ends of an interval and at both thirds of it [mm]. */
+      std::array<double, 4>
+      outwards_along(const Tensor<1, 3> *blocks,
+                     const unsigned int  touch,
+                     const unsigned int  interval) const;
+
+      /** How deep the fiber is there in this @p plate [mm]. */
+      std::array<double, 4>
+      depths_along(const System::State &state,
+                   const unsigned int   touch,
+                   const unsigned int   interval,
+                   const double         plate) const;
+
+      /** Fibers over the volume between the plates, where they cover [-]. */
+      double
+      volume_fraction(const System::State &state) const;
+
       /** Find the points that are in a plate. */
       void
       place_points(const System::State &state);
@@ -228,7 +298,8 @@ namespace Heddle
       std::vector<Touch> touches;    /**< of all own fibers, each at both */
       std::vector<TouchingPoint> points;
 
-      double softness = 0.; /**< of contact between fibers [-] */
+      double softness = 0.;   /**< of contact between fibers [-] */
+      bool   reached  = true; /**< a fiber is near a plate, on any rank */
 
       Sums   sums;
       double deepest = 0.; /**< over the radius, over all ranks [-] */

@@ -16,8 +16,9 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * Hand-made patches (points: 0, lines: 1, hexahedra: 3) and the names of
-     * the data on them, to be written as one VTU file by all ranks together.
+     * Hand-made patches (points: 0, lines: 1, rectangles: 2, hexahedra: 3) and
+     * the names of the data on them, to be written as one VTU file by all ranks
+     * together.
      */
     template <int patch_dim>
     class PatchFile : public DataOutInterface<patch_dim, 3>

@@ -9,6 +9,7 @@
 #include <heddle/io/fiber_output.h>
 #include <heddle/io/history.h>
 #include <heddle/io/matrix_output.h>
+#include <heddle/io/plate_output.h>
 #include <heddle/io/summary.h>
 #include <heddle/simulation/energy_balance.h>
 #include <heddle/simulation/scene.h>
@@ -180,6 +181,12 @@ namespace Heddle
       void
       write_pictures(const Place &place, const std::string &group);
 
+      /** If there are any, and once they are somewhere. */
+      void
+      write_plates(const Place       &place,
+                   const double       time,
+                   const std::string &group);
+
       void
       write_matrix(const Place       &place,
                    const double       time,
@@ -230,6 +237,7 @@ namespace Heddle
       std::unique_ptr<IO::FiberOutput>   fibers;
       std::unique_ptr<IO::ContactOutput> contacts;
       std::unique_ptr<IO::MatrixOutput>  matrix;
+      std::unique_ptr<IO::PlateOutput>   plates;
 
       /** Wall times of the stage before this run, and of the run before it. */
       IO::WallTime earlier;

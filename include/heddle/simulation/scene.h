@@ -4,6 +4,7 @@
 #include <heddle/contributions/fiber_contact.h>
 #include <heddle/contributions/fiber_elasticity.h>
 #include <heddle/contributions/fiber_friction.h>
+#include <heddle/contributions/plates.h>
 #include <heddle/contributions/supports.h>
 #include <heddle/post/crossing_order.h>
 #include <heddle/simulation/own_contributions.h>
@@ -95,6 +96,10 @@ namespace Heddle
       {
         return fiber_friction.get();
       }
+
+      /** The plates of a stage, or nullptr. */
+      const Contributions::Plates *
+      plates(const unsigned int stage) const;
 
       /** The supports of the file, of fibers that are no fabric, or nullptr. */
       const Contributions::Supports *
