@@ -1,4 +1,5 @@
-"""The curves of a fabric test: forces over strains, couples over angles."""
+"""The curves of a fabric test: forces over strains, couples over angles, moments
+over curvatures."""
 
 import json
 import os
@@ -45,7 +46,8 @@ def load_cases(directory, columns):
     return [case for case in cases
             if case.rows.any() and (case.has("warp_strain") or
                                     case.has("weft_strain") or
-                                    case.has("shear_angle"))]
+                                    case.has("shear_angle") or
+                                    is_bent(case))]
 
 
 def draw_tension(axes, cases, yarns):
@@ -76,6 +78,20 @@ def draw_shear(axes, cases):
     axes.set_title("shear")
 
 
+def draw_bending(axes, cases):
+    """Moment over curvature; dashed, what the matrix takes of it."""
+    for i, case in enumerate(cases):
+        curvature = case["bending_curvature"]
+        moment = case["bending_moment_per_width"]
+        axes.plot(curvature, moment, color=f"C{i}", marker="o", markersize=3,
+                  label=case.name)
+        draw_part_of_matrix(axes, curvature, case, moment, "bending_moment",
+                            "bending_matrix_moment", i)
+    axes.set_xlabel("curvature [1/mm]")
+    axes.set_ylabel("moment per width [N]")
+    axes.set_title("bending")
+
+
 def draw_part_of_matrix(axes, x, case, whole, total, part, i):
     """The same share of the curve as the matrix has in the sum."""
     if not case.has(part):
@@ -89,8 +105,10 @@ def draw_part_of_matrix(axes, x, case, whole, total, part, i):
 def plot_loading(directory, folder):
     columns = read_history(directory)
     cases = load_cases(directory, columns) if columns else []
-    pulled = [case for case in cases if not is_sheared(case)]
+    bent = [case for case in cases if is_bent(case)]
     sheared = [case for case in cases if is_sheared(case)]
+    pulled = [case for case in cases
+              if not is_bent(case) and not is_sheared(case)]
     curves = []
     for yarns in ("warp", "weft"):
         shown = [case for case in pulled if case.has(yarns + "_strain")]
@@ -99,6 +117,8 @@ def plot_loading(directory, folder):
                            draw_tension(axes, shown, yarns)))
     if sheared:
         curves.append((sheared, draw_shear))
+    if bent:
+        curves.append((bent, draw_bending))
     if not curves:
         return
 
@@ -110,11 +130,15 @@ def plot_loading(directory, folder):
         axes.axhline(0., color="0.8", linewidth=0.8, zorder=0)
         axes.axvline(0., color="0.8", linewidth=0.8, zorder=0)
         axes.legend(frameon=False, fontsize=9)
-    if any(case.has("warp_matrix_force") or case.has("shear_matrix_couple")
-           for case in cases):
+    if any(case.has("warp_matrix_force") or case.has("shear_matrix_couple") or
+           case.has("bending_matrix_moment") for case in cases):
         figure.supxlabel("dashed: on the sides of the matrix", fontsize=9)
     save(figure, folder, "loading.png")
 
 
 def is_sheared(case):
     return np.nanmax(np.abs(case["shear_angle"]), initial=0.) > 0.1
+
+
+def is_bent(case):
+    return case.has("bending_curvature")
