@@ -62,7 +62,6 @@ namespace Heddle
                                    const FabricCase                &test,
                                    const FabricSize                &size)
       : Supports(space, reference, test.supports)
-      , space(space)
       , test(test)
       , size(size)
     {
@@ -76,13 +75,13 @@ namespace Heddle
       Supports::begin_stage(state);
       find_sides(state);
       if (test.bending)
-        find_neutral_surface(state);
+        find_origin(state);
     }
 
 
 
     void
-    FabricSupports::find_neutral_surface(const System::State &state)
+    FabricSupports::find_origin(const System::State &state)
     {
       std::set<unsigned int> bent;
       for (const HeldBlock &held : held_blocks())
@@ -94,8 +93,9 @@ namespace Heddle
       {
         double height = 0., stiffness = 0.;
       } sums;
-      const auto         owned = space.owned_fibers();
-      const unsigned int n     = space.n_blocks_per_node();
+      const System::FiberSpace &space = state.space;
+      const auto                owned = space.owned_fibers();
+      const unsigned int        n     = space.n_blocks_per_node();
       for (const unsigned int f : bent)
         if (f >= owned.first && f < owned.second)
           for (unsigned int i = 0; i + 1 < space.fiber(f).n_nodes; ++i)
@@ -107,8 +107,10 @@ namespace Heddle
               sums.height += 0.5 * stiffness * (a[2] + b[2]);
               sums.stiffness += stiffness;
             }
-      sum_over_ranks(sums, state.space.communicator());
-      origin = Tensor<1, 3>({0., 0., sums.height / sums.stiffness});
+      sum_over_ranks(sums, space.communicator());
+      const unsigned int i = test.bending->direction();
+      origin    = 0.5 * (rest_middles[2 * i] + rest_middles[2 * i + 1]);
+      origin[2] = sums.height / sums.stiffness;
     }
 
 
@@ -316,8 +318,8 @@ namespace Heddle
           if (test.bending && test.bending->direction() == i)
             {
               for (unsigned int end = 0; end < 2; ++end)
-                outward[end] =
-                  test.bending->tangent(rest_middles[2 * i + end], load_factor);
+                outward[end] = test.bending->tangent(
+                  rest_middles[2 * i + end] - origin, load_factor);
               result.length[i] = rest_length[i];
             }
           result.force[i] =
@@ -464,7 +466,8 @@ namespace Heddle
       archive.write_number(name() + "/shear couple", last.couple);
       if (test.bending)
         {
-          archive.write_number(name() + "/neutral height", origin[2]);
+          for (unsigned int d = 0; d < 3; ++d)
+            archive.write_number(name() + "/origin " + "xyz"[d], origin[d]);
           archive.write_number(name() + "/curvature", last.curvature);
           archive.write_number(name() + "/moment", last.moment);
           archive.write_number(name() + "/matrix moment", last.matrix_moment);
@@ -490,7 +493,8 @@ namespace Heddle
       last.couple = archive.read_number(name() + "/shear couple");
       if (test.bending)
         {
-          origin[2]          = archive.read_number(name() + "/neutral height");
+          for (unsigned int d = 0; d < 3; ++d)
+            origin[d] = archive.read_number(name() + "/origin " + "xyz"[d]);
           last.curvature     = archive.read_number(name() + "/curvature");
           last.moment        = archive.read_number(name() + "/moment");
           last.matrix_moment = archive.read_number(name() + "/matrix moment");

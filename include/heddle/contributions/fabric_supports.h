@@ -152,12 +152,12 @@ namespace Heddle
       find_sides(const System::State &state);
 
       /**
-       * The mean height of the yarns that are bent, along their length and by
-       * their axial stiffness: where a moment alone bends them they keep their
-       * length there.
+       * Amid the sides that are bent, at the mean height of their yarns, along
+       * their length and by their axial stiffness: where a moment alone bends
+       * them they keep their length there.
        */
       void
-      find_neutral_surface(const System::State &state);
+      find_origin(const System::State &state);
 
       /** What forces and couples are divided by. */
       void
@@ -178,7 +178,6 @@ namespace Heddle
             const double at,
             const double at_before);
 
-      const System::FiberSpace &space;
       const FabricCase         &test;
       const FabricSize          size;
       std::vector<unsigned int> sides_of; /**< bits, of each held block */
