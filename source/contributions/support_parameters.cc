@@ -30,7 +30,8 @@ namespace Heddle
         section,
         "'held' keeps the section (with the element 'hermite' the direction of "
         "the axis, which may stretch), 'turned' turns it by 'Turn angle', "
-        "'free' leaves it free [-].");
+        "'free' leaves it free: held at its two ends a fiber that is curved "
+        "when free spins about the line through them for nothing [-].");
       add_parameter("Turn angle",
                     angle,
                     "Formula of x, y, z [mm] and t: angle by which sections "
