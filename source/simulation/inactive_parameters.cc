@@ -120,6 +120,7 @@ namespace Heddle
         {{"Fabric loading/Curvature", "Fabric loading/Grip"},
          "Fabric loading/Kind",
          is(FabricTest::bending)},
+        {{"Fabric loading/Grip"}, "Matrix/Enabled", is("false")},
         {{"Fabric loading/Ends"},
          "Fabric loading/Kind",
          is_not(FabricTest::bending)},
