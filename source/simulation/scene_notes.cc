@@ -2,6 +2,8 @@
 #include <heddle/simulation/chosen_ends.h>
 #include <heddle/simulation/held_overlap.h>
 #include <heddle/simulation/scene_notes.h>
+#include <heddle/simulation/stray_fibers.h>
+#include <heddle/textile/gaps_in_bends.h>
 #include <heddle/textile/lost_fibers.h>
 #include <heddle/textile/spun_yarns.h>
 
@@ -177,6 +179,9 @@ namespace Heddle
         {
           notes.push_back(Textile::lost_fibers(scene.fiber_paths(), file));
           notes.push_back(Textile::spun_yarns(scene.fiber_paths(), file));
+          notes.push_back(Textile::gaps_in_bends(scene.fiber_paths(), file));
+          if (scene.is_fabric())
+            notes.push_back(stray_fibers(scene.fiber_paths(), file));
         }
       for (const std::string &note :
            {parameters.fabric_loading.strain_in_percent(),

@@ -2,7 +2,6 @@
 #include <heddle/textile/lost_fibers.h>
 
 #include <algorithm>
-#include <map>
 
 namespace Heddle
 {
@@ -11,13 +10,8 @@ namespace Heddle
     std::string
     lost_fibers(const std::vector<FiberPath> &paths, const std::string &name)
     {
-      std::map<unsigned int, std::vector<unsigned int>> yarns;
-      for (unsigned int f = 0; f < paths.size(); ++f)
-        if (paths[f].yarn_id != no_id)
-          yarns[paths[f].yarn_id].push_back(f);
-
       std::vector<unsigned int> lost;
-      for (const auto &yarn : yarns)
+      for (const auto &yarn : fibers_of_yarns(paths))
         {
           std::vector<Polyline> lines;
           for (const unsigned int f : yarn.second)

@@ -255,6 +255,23 @@ namespace Heddle
 
 
 
+      /** The two of @p points that follow each other at the largest distance.
+       */
+      std::array<Tensor<1, 3>, 2>
+      widest_gap(const std::vector<Tensor<1, 3>> &points)
+      {
+        const auto gap = [&points](const unsigned int i) {
+          return (points[i + 1] - points[i]).norm_square();
+        };
+        unsigned int widest = 0;
+        for (unsigned int i = 1; i + 1 < points.size(); ++i)
+          if (gap(i) > gap(widest))
+            widest = i;
+        return {{points[widest], points[widest + 1]}};
+      }
+
+
+
       FiberPath
       resample(const RawFiber    &fiber,
                const std::string &name,
@@ -308,6 +325,7 @@ namespace Heddle
         path.missed =
           largest_miss(fiber.points, knots.points, reading.interpolation);
         path.n_turns          = order.n_turns;
+        path.gap              = widest_gap(fiber.points);
         path.reference_length = knots.length / (1. + reading.axial_strain);
         path.radius           = fiber.sum_of_radii / fiber.points.size();
         path.set              = fiber.set;

@@ -3,11 +3,15 @@
 
 #include <heddle/base/polyline.h>
 
+#include <boost/serialization/array.hpp>
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <array>
 #include <limits>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace Heddle
 {
@@ -46,6 +50,10 @@ namespace Heddle
        * degrees. */
       unsigned int n_turns = 0;
 
+      /** Of the points that it was read from, the two that follow each other
+       * at the largest distance [mm]. */
+      std::array<Tensor<1, 3>, 2> gap;
+
       /** Radius of the circular section [mm]. */
       double radius = 0.;
 
@@ -69,10 +77,24 @@ namespace Heddle
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &points &reference_length &missed &n_turns &radius
+        archive &points &reference_length &missed &n_turns &gap &radius
           &filament_radius &density &yarn_id &bundle_id &set;
       }
     };
+
+
+
+    /** Numbers of the fibers of each yarn, by its own number; without those
+     * that belong to none. */
+    inline std::map<unsigned int, std::vector<unsigned int>>
+    fibers_of_yarns(const std::vector<FiberPath> &paths)
+    {
+      std::map<unsigned int, std::vector<unsigned int>> yarns;
+      for (unsigned int f = 0; f < paths.size(); ++f)
+        if (paths[f].yarn_id != no_id)
+          yarns[paths[f].yarn_id].push_back(f);
+      return yarns;
+    }
   } // namespace Textile
 } // namespace Heddle
 
