@@ -284,7 +284,7 @@ namespace Heddle
       // Where only calm is asked for forces are what they happen to be.
       const std::string indentation = recorder.deepest_indentation().in_words();
       if (!indentation.empty() && !stage.solve &&
-          stage.aim != Solver::Aim::calm)
+          stage.aim != Solver::Aim::calm_from_start)
         log << "Note           of stage " << stage.name << ", " << indentation
             << std::endl;
       if (stage.is_loaded())
@@ -395,11 +395,16 @@ namespace Heddle
         {
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
-          const bool                 predicts = stage.is_loaded() && i == 0;
-          const Solver::NewtonResult result   = newton.solve(
+          const bool        predicts = stage.is_loaded() && i == 0;
+          const Solver::Aim aim =
+            stage.aim == Solver::Aim::equilibrium_from_start &&
+                (i > 0 || stepping[place.stage]->reached() > 0.)
+              ? Solver::Aim::equilibrium
+              : stage.aim;
+          const Solver::NewtonResult result = newton.solve(
             state,
             contributions,
-            stage.aim,
+            aim,
             predicts ? place.predictor.guess(state) : System::Increment());
           total.iterations += result.iterations;
           total.factorizations += result.factorizations;
@@ -411,7 +416,7 @@ namespace Heddle
           total.unstable       = result.unstable;
 
           // Only now is it known whether fibers came near each other.
-          if (!result.converged || stage.aim == Solver::Aim::calm ||
+          if (!result.converged || aim == Solver::Aim::calm_from_start ||
               !Solver::is_nonsmooth(Solver::nonsmooth_terms(contributions)))
             return total;
 

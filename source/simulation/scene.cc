@@ -262,6 +262,7 @@ namespace Heddle
         add_approach_stage(thresholds.front());
 
       Stage stage(StageKind::settle);
+      stage.aim           = Solver::Aim::equilibrium_from_start;
       stage.contributions = {fiber_elasticity, guides};
       if (fiber_contact)
         {
@@ -300,7 +301,7 @@ namespace Heddle
     {
       Stage stage(StageKind::approach);
       stage.contributions = {fiber_elasticity, guides};
-      stage.aim           = Solver::Aim::calm;
+      stage.aim           = Solver::Aim::calm_from_start;
       stage.set_up        = [contact = fiber_contact, threshold](const double) {
         contact->set_threshold(threshold);
       };

@@ -37,7 +37,8 @@ namespace Heddle
       const Calm &
       calmness(const Aim aim)
       {
-        return aim == Aim::calm ? before_friction : before_equilibrium;
+        return aim == Aim::calm_from_start ? before_friction
+                                           : before_equilibrium;
       }
 
       /** Nonsmooth terms are softened from this mean residual ratio on, ... */
@@ -147,9 +148,7 @@ namespace Heddle
     {
       evaluate();
       nonsmooth = equations.is_nonsmooth();
-      if (nonsmooth && iteration == 0 && !guessed &&
-          aim != Aim::equilibrium_after_calm &&
-          residual.mean_ratio >= unsettled)
+      if (nonsmooth && wants_softness())
         {
           equations.set_softness(1.);
           tools.damping.reset(/*in_motion=*/true);
@@ -161,6 +160,25 @@ namespace Heddle
       mean_forces.push_back(residual.mean_force);
       result.residual_ratio = residual.ratio;
       result.iterations     = iteration;
+    }
+
+
+
+    bool
+    NewtonSearch::wants_softness() const
+    {
+      switch (aim)
+        {
+          case Aim::calm_from_start:
+          case Aim::equilibrium_from_start:
+            return !softened && equations.softness() == 0.;
+          case Aim::equilibrium:
+            return iteration == 0 && !guessed &&
+                   residual.mean_ratio >= unsettled;
+          case Aim::equilibrium_after_calm:
+            return false;
+        }
+      return false;
     }
 
 
@@ -197,8 +215,7 @@ namespace Heddle
             " is no finite number";
           return Verdict::ended;
         }
-      if (aim == Aim::calm && equations.softness() == 0. &&
-          (calm || !nonsmooth))
+      if (aim == Aim::calm_from_start && equations.softness() == 0. && calm)
         {
           result.converged = true;
           return Verdict::ended;

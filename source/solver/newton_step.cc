@@ -118,8 +118,8 @@ namespace Heddle
       LinearTask task;
       task.exactly      = !nonsmooth;
       task.yarn_motions = !nonsmooth || equations.softness() == 0.;
-      task.looser       = aim == Aim::calm ? looser_before_friction : 1.;
-      linear            = tools.linear_solver.solve(task);
+      task.looser = aim == Aim::calm_from_start ? looser_before_friction : 1.;
+      linear      = tools.linear_solver.solve(task);
       result.linear_iterations += linear.iterations;
       result.factorizations += linear.factorizations;
       if (learn)

@@ -37,14 +37,17 @@ namespace Heddle
     };
 
     /**
-     * How far to go: to equilibrium, or only until forces balance on average
-     * and fibers move by little, after which friction can take over; or from
-     * there to equilibrium, where nonsmooth terms are not softened again.
+     * How far to go, and where from: to equilibrium, or only until forces
+     * balance on average and fibers move by little, after which friction can
+     * take over. From where fibers start in the first place nonsmooth terms are
+     * soft, even if fibers hardly touch there and forces seem to balance; after
+     * calm they are not softened again; else where forces are far from balance.
      */
     enum class Aim
     {
       equilibrium,
-      calm,
+      calm_from_start,
+      equilibrium_from_start,
       equilibrium_after_calm
     };
 
@@ -90,6 +93,10 @@ namespace Heddle
         begin_again,
         ended
       };
+
+      /** Whether nonsmooth terms, if there are any, have to begin soft now. */
+      bool
+      wants_softness() const;
 
       /** Prepare, assemble and judge the terms as they are. */
       void
