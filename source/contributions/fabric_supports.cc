@@ -75,13 +75,13 @@ namespace Heddle
       Supports::begin_stage(state);
       find_sides(state);
       if (test.bending)
-        find_origin(state);
+        origin[2] = neutral_height(state);
     }
 
 
 
-    void
-    FabricSupports::find_origin(const System::State &state)
+    double
+    FabricSupports::neutral_height(const System::State &state) const
     {
       std::set<unsigned int> bent;
       for (const HeldBlock &held : held_blocks())
@@ -108,9 +108,7 @@ namespace Heddle
               sums.stiffness += stiffness;
             }
       sum_over_ranks(sums, space.communicator());
-      const unsigned int i = test.bending->direction();
-      origin    = 0.5 * (rest_middles[2 * i] + rest_middles[2 * i + 1]);
-      origin[2] = sums.height / sums.stiffness;
+      return sums.height / sums.stiffness;
     }
 
 
@@ -153,6 +151,8 @@ namespace Heddle
         }
       for (unsigned int side = 0; side < n_sides; ++side)
         rest_middles[side] = sums[side] / counts[side];
+      for (unsigned int i = 0; i < n_directions; ++i)
+        origin[i] = 0.5 * (rest_middles[2 * i][i] + rest_middles[2 * i + 1][i]);
       find_areas();
       rest_length = lengths(rest_middles, 0.);
       now         = {};
@@ -225,7 +225,7 @@ namespace Heddle
                                  const Tensor<1, 3> &force,
                                  const Tensor<1, 3> &place,
                                  const Kinematics   &kinematics,
-                                 Sums               &sums)
+                                 Sums               &sums) const
     {
       const bool in_matrix = held.is_in_matrix();
       for (unsigned int side = 0; side < n_sides; ++side)
@@ -242,15 +242,16 @@ namespace Heddle
               }
           }
 
-      double       couple = 0.;
-      Tensor<1, 3> lever  = place;
+      const Tensor<1, 3> middle = held.position - origin;
+      double             couple = 0.;
+      Tensor<1, 3>       lever  = place - origin;
       for (unsigned int i = 0; i < n_directions; ++i)
         {
-          sums.work[i] += (force * kinematics.along[i]) * held.reference[i];
-          couple += (force * kinematics.turning[i]) * held.position[i] *
-                    kinematics.stretch[i];
-          lever -=
-            kinematics.along[i] * held.position[i] * kinematics.stretch[i];
+          sums.work[i] +=
+            (force * kinematics.along[i]) * (held.reference[i] - origin[i]);
+          couple +=
+            (force * kinematics.turning[i]) * middle[i] * kinematics.stretch[i];
+          lever -= kinematics.along[i] * middle[i] * kinematics.stretch[i];
         }
       // The ends of a yarn turn about their middle.
       if (!in_matrix)
@@ -466,8 +467,7 @@ namespace Heddle
       archive.write_number(name() + "/shear couple", last.couple);
       if (test.bending)
         {
-          for (unsigned int d = 0; d < 3; ++d)
-            archive.write_number(name() + "/origin " + "xyz"[d], origin[d]);
+          archive.write_number(name() + "/origin z", origin[2]);
           archive.write_number(name() + "/curvature", last.curvature);
           archive.write_number(name() + "/moment", last.moment);
           archive.write_number(name() + "/matrix moment", last.matrix_moment);
@@ -493,8 +493,7 @@ namespace Heddle
       last.couple = archive.read_number(name() + "/shear couple");
       if (test.bending)
         {
-          for (unsigned int d = 0; d < 3; ++d)
-            origin[d] = archive.read_number(name() + "/origin " + "xyz"[d]);
+          origin[2]          = archive.read_number(name() + "/origin z");
           last.curvature     = archive.read_number(name() + "/curvature");
           last.moment        = archive.read_number(name() + "/moment");
           last.matrix_moment = archive.read_number(name() + "/matrix moment");

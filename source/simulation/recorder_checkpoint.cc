@@ -152,6 +152,9 @@ namespace Heddle
       for (const std::string &change :
            changed_settings(position.settings, in_force))
         log << "Changed        " << change << std::endl;
+      for (unsigned int i = place.stage + 1; i < stages.size(); ++i)
+        if (stages[i].begins_initially)
+          require_initial_configuration();
       history.resume(position.history);
       place.number = position.number;
       return place;
@@ -159,20 +162,42 @@ namespace Heddle
 
 
 
-    void
-    Recorder::read_initial_configuration(Log &log)
+    std::string
+    Recorder::initial_configuration_in_use() const
     {
-      const std::string &file     = given_configuration;
-      const bool         is_there = ask_first_rank(
+      return given_configuration.empty()
+               ? directory + "/" + initial_configuration
+               : given_configuration;
+    }
+
+
+
+    void
+    Recorder::require_initial_configuration() const
+    {
+      const std::string file     = initial_configuration_in_use();
+      const bool        is_there = ask_first_rank(
         [&file]() {
           std::error_code unreachable;
           return std::filesystem::exists(file, unreachable);
         },
         scene.space().communicator());
       require(is_there,
-              "Restart/Initial configuration: there is no file \"" + file +
-                "\"; name the folder of a run that has computed one.");
-      const std::string settings = read_initial_configuration(file);
+              given_configuration.empty()
+                ? "There is no file \"" + file +
+                    "\", in which load cases that are still to come begin."
+                : "Restart/Initial configuration: there is no file \"" + file +
+                    "\"; name the folder of a run that has computed one.");
+    }
+
+
+
+    void
+    Recorder::read_initial_configuration(Log &log)
+    {
+      require_initial_configuration();
+      const std::string &file     = given_configuration;
+      const std::string  settings = read_initial_configuration(file);
       // What fibers are and how they settled is in the file: strains and
       // stresses may be others than these parameters would lead to.
       for (const std::string &change : changed_settings(settings, in_force))
@@ -220,9 +245,7 @@ namespace Heddle
     void
     Recorder::return_to_initial_configuration()
     {
-      read_initial_configuration(given_configuration.empty()
-                                   ? directory + "/" + initial_configuration
-                                   : given_configuration);
+      read_initial_configuration(initial_configuration_in_use());
     }
 
 

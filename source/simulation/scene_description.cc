@@ -167,6 +167,10 @@ namespace Heddle
       /** Sheared by more, a linear matrix is off by some percent [degrees]. */
       constexpr double large_angle = 10.;
 
+      /** Above this Poisson ratio corners of cells of degree 2 bear 5 % and
+       * more of what a matrix does, and without limit towards 0.5 [-]. */
+      constexpr double rigid_volume = 0.49;
+
 
 
       void
@@ -188,6 +192,15 @@ namespace Heddle
              parameters.fabric_loading.bends()))
           log << "\nNote           Matrix/Law is linear, which takes turns for "
                  "strains: under such loads another one is right";
+        if (parameters.matrix.enabled && parameters.matrix.degree > 1 &&
+            parameters.matrix.material.poisson_ratio > rigid_volume &&
+            parameters.fabric_loading.is_active() &&
+            !parameters.fabric_loading.leaves_yarns_free())
+          log << "\nNote           Matrix/Degree is "
+              << parameters.matrix.degree
+              << ", and the matrix hardly changes its volume: where two held "
+                 "sides meet pressures grow with its bulk modulus, and forces "
+                 "of the sides count them; take degree 1";
       }
 
 

@@ -125,13 +125,13 @@ namespace Heddle
       };
 
       /** Add what the @p force on a held position, now at @p place, does. */
-      static void
+      void
       add_position(const HeldBlock    &held,
                    const unsigned int  sides,
                    const Tensor<1, 3> &force,
                    const Tensor<1, 3> &place,
                    const Kinematics   &kinematics,
-                   Sums               &sums);
+                   Sums               &sums) const;
 
       /** The @p force on a held block: its work for a unit of curvature
        * [N mm^2]. */
@@ -147,17 +147,20 @@ namespace Heddle
               const Kinematics &kinematics,
               const double      load_factor) const;
 
-      /** Find on which sides the held blocks are, and the lengths at rest. */
+      /**
+       * Find on which sides the held blocks are, the point amid these and the
+       * lengths at rest.
+       */
       void
       find_sides(const System::State &state);
 
       /**
-       * Amid the sides that are bent, at the mean height of their yarns, along
-       * their length and by their axial stiffness: where a moment alone bends
-       * them they keep their length there.
+       * The mean height of the yarns that are bent, along their length and by
+       * their axial stiffness: where a moment alone bends them they keep their
+       * length there [mm].
        */
-      void
-      find_origin(const System::State &state);
+      double
+      neutral_height(const System::State &state) const;
 
       /** What forces and couples are divided by. */
       void

@@ -151,6 +151,14 @@ namespace Heddle
       finish(const IO::Status status, const std::string &reason);
 
     private:
+      /** Of this run, or that it was given. */
+      std::string
+      initial_configuration_in_use() const;
+
+      /** Throw InputError if there is no such file. */
+      void
+      require_initial_configuration() const;
+
       /** Return the parameters of the run that has written it. */
       std::string
       read_initial_configuration(const std::string &file);
