@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Heddle
 {
@@ -31,6 +32,10 @@ namespace Heddle
       /** With the least a fiber moves as if nothing held it, with the largest
        * hardly at all. */
       constexpr double least = 1e-6, largest = 1e-2;
+
+      /** Of the stiffness of a node, what is round-off [-]. */
+      constexpr double digits_of_node =
+        256. * std::numeric_limits<double>::epsilon();
 
 
 
@@ -85,26 +90,24 @@ namespace Heddle
     void
     FiberDamping::for_each_block(const System::State &state,
                                  const unsigned int   f,
+                                 const double         of_sections,
                                  const Action        &action) const
     {
-      // Three blocks per node: a position and two section vectors, which move
-      // the surface by the radius times their own motion. Two: a position and
-      // a tangent.
-      const System::Fiber &fiber      = space.fiber(f);
-      const unsigned int   n_per_node = space.n_blocks_per_node();
-      const unsigned int   n_free     = n_per_node == 3 ? 3 : 1;
-      for (unsigned int i = 0; i < fiber.n_nodes; ++i)
+      // Three blocks per node: a position and two section vectors. Two: a
+      // position and a tangent.
+      const unsigned int n_per_node = space.n_blocks_per_node();
+      const unsigned int n_free     = n_per_node == 3 ? 3 : 1;
+      for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
         for (unsigned int k = 0; k < n_free; ++k)
           action(state.local_block(f) + i * n_per_node + k,
-                 k == 0 ? 1. : fiber.radius);
+                 k == 0 ? 1. : of_sections);
     }
 
 
 
-    template <typename Damping, typename Action>
+    template <typename Action>
     void
     FiberDamping::for_each_stiffness(const System::State &state,
-                                     const Damping       &damping,
                                      const Action        &action) const
     {
       const auto owned = space.owned_fibers();
@@ -112,12 +115,16 @@ namespace Heddle
         {
           const System::Fiber &fiber = space.fiber(f);
           const double         stiffness =
-            damping(f - owned.first) * fiber.section.axial /
+            used(values[f - owned.first]) * fiber.section.axial /
             (fiber.radius * fiber.radius) * fiber.length / fiber.n_nodes;
-          for_each_block(
-            state, f, [&](const unsigned int block, const double lever) {
-              action(block, stiffness * lever * lever);
-            });
+          // Section vectors move the surface by the radius times their own
+          // motion.
+          for_each_block(state,
+                         f,
+                         fiber.radius,
+                         [&](const unsigned int block, const double lever) {
+                           action(block, stiffness * lever * lever);
+                         });
         }
     }
 
@@ -128,9 +135,7 @@ namespace Heddle
                          const System::State &state) const
     {
       for_each_stiffness(
-        state,
-        [this](const unsigned int k) { return used(values[k]); },
-        [&system](const unsigned int block, const double stiffness) {
+        state, [&system](const unsigned int block, const double stiffness) {
           system.add_diagonal(block, stiffness);
         });
     }
@@ -138,16 +143,26 @@ namespace Heddle
 
 
     void
-    FiberDamping::add_to(System::BlockSystem &system,
-                         const System::State &state,
-                         const double         damping) const
+    FiberDamping::add_uncertainty_to(System::BlockSystem &system,
+                                     const System::State &state,
+                                     const double         unbalanced) const
     {
-      for_each_stiffness(
-        state,
-        [damping](unsigned int) { return damping; },
-        [&system](const unsigned int block, const double stiffness) {
-          system.add_diagonal(block, stiffness);
-        });
+      const auto owned = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          const System::Fiber &fiber    = space.fiber(f);
+          const double         distance = fiber.length / fiber.n_nodes;
+          const double         stiffness =
+            digits_of_node * fiber.section.axial / distance +
+            unbalanced / fiber.length;
+          for_each_block(state,
+                         f,
+                         distance,
+                         [&](const unsigned int block, const double lever) {
+                           system.add_diagonal(block,
+                                               stiffness * lever * lever);
+                         });
+        }
     }
 
 
@@ -159,7 +174,6 @@ namespace Heddle
       double sum = 0.;
       for_each_stiffness(
         state,
-        [this](const unsigned int k) { return used(values[k]); },
         [&sum, &increment](const unsigned int block, const double stiffness) {
           sum += stiffness * increment[block].norm_square();
         });
@@ -180,10 +194,13 @@ namespace Heddle
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
           double motion = 0.;
-          for_each_block(
-            state, f, [&](const unsigned int block, const double lever) {
-              motion = std::max(motion, lever * increment[block].norm());
-            });
+          for_each_block(state,
+                         f,
+                         space.fiber(f).radius,
+                         [&](const unsigned int block, const double lever) {
+                           motion =
+                             std::max(motion, lever * increment[block].norm());
+                         });
           const double ratio = motion / (wanted_motion * radius);
           double      &value = values[f - owned.first];
           value *= std::clamp(ratio, 1. / largest_factor, largest_factor);
