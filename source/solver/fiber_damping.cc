@@ -36,15 +36,6 @@ namespace Heddle
       /** Of the stiffness of a node, what is round-off [-]. */
       constexpr double digits_of_node =
         256. * std::numeric_limits<double>::epsilon();
-
-
-
-      /** The least damping, from which it may rise again, counts as none. */
-      double
-      used(const double value)
-      {
-        return value > least ? value : 0.;
-      }
     } // namespace
 
 
@@ -62,11 +53,39 @@ namespace Heddle
     void
     FiberDamping::reset(const bool in_motion)
     {
+      alone            = false;
       const auto owned = space.owned_fibers();
       values.assign(owned.second - owned.first,
                     first == 0. ? 0.
                     : in_motion ? std::max(first, least)
                                 : least);
+    }
+
+
+
+    void
+    FiberDamping::reset_alone()
+    {
+      reset(/*in_motion=*/true);
+      alone = true;
+    }
+
+
+
+    double
+    FiberDamping::least_of(const unsigned int f) const
+    {
+      const double slenderness = space.fiber(f).length / space.fiber(f).radius;
+      return alone ? std::min(least, 1. / (slenderness * slenderness)) : least;
+    }
+
+
+
+    double
+    FiberDamping::used(const unsigned int k) const
+    {
+      const unsigned int f = space.owned_fibers().first + k;
+      return values[k] > least_of(f) ? values[k] : 0.;
     }
 
 
@@ -114,9 +133,9 @@ namespace Heddle
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
           const System::Fiber &fiber = space.fiber(f);
-          const double         stiffness =
-            used(values[f - owned.first]) * fiber.section.axial /
-            (fiber.radius * fiber.radius) * fiber.length / fiber.n_nodes;
+          const double stiffness = used(f - owned.first) * fiber.section.axial /
+                                   (fiber.radius * fiber.radius) *
+                                   fiber.length / fiber.n_nodes;
           // Section vectors move the surface by the radius times their own
           // motion.
           for_each_block(state,
@@ -206,7 +225,7 @@ namespace Heddle
           value *= std::clamp(ratio, 1. / largest_factor, largest_factor);
           if (taken < much_cut && ratio > much_moved)
             value *= growth_after_cut;
-          value = std::clamp(value, least, largest);
+          value = std::clamp(value, least_of(f), largest);
         }
     }
   } // namespace Solver

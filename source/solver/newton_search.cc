@@ -284,7 +284,7 @@ namespace Heddle
       equations.state.set(start);
       for (const auto &contribution : equations.contributions)
         contribution->begin_step(equations.state);
-      tools.damping.reset(/*in_motion=*/true);
+      tools.damping.reset_alone();
       guarded = true;
       mean_forces.clear();
       limit += result.iterations;

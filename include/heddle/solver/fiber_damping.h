@@ -33,6 +33,14 @@ namespace Heddle
       void
       reset(const bool in_motion);
 
+      /**
+       * Hold all fibers back where nothing touches them. What is the least for
+       * fibers in contact is more than slender ones resist along their axes:
+       * theirs is (R / L)^2.
+       */
+      void
+      reset_alone();
+
       /** Add the stiffness to the blocks that it holds. */
       void
       add_to(System::BlockSystem &system, const System::State &state) const;
@@ -90,9 +98,19 @@ namespace Heddle
       for_each_stiffness(const System::State &state,
                          const Action        &action) const;
 
+      /** The least damping of fiber @p f, from which it may rise again: it
+       * counts as none. */
+      double
+      least_of(const unsigned int f) const;
+
+      /** The damping of the k-th owned fiber that is in use. */
+      double
+      used(const unsigned int k) const;
+
       const System::FiberSpace &space;
       const double              first;
-      std::vector<double>       values; /**< of owned fibers [-] */
+      bool                      alone = false; /**< nothing touches */
+      std::vector<double>       values;        /**< of owned fibers [-] */
     };
   } // namespace Solver
 } // namespace Heddle
