@@ -22,6 +22,8 @@ namespace Heddle
   StepTable::add_column(const std::string &name, const std::string &unit)
   {
     Assert(rows.empty(), ExcMessage("Columns come before rows."));
+    require(std::find(names.begin(), names.end(), name) == names.end(),
+            "A table has two columns \"" + name + "\".");
     names.push_back(name);
     units.push_back(unit);
   }

@@ -17,8 +17,6 @@ namespace Heddle
       /** Work below this part of the energy says little of a fabric [-]. */
       constexpr double little = 0.01;
 
-      const char *const external_work = "external_work[N*mm]";
-
       bool
       is_energy(const std::string &name)
       {

@@ -1,3 +1,4 @@
+#include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/base/settings.h>
 #include <heddle/base/throw_together.h>
@@ -29,6 +30,11 @@ namespace Heddle
       split(const std::string &name_with_unit)
       {
         const auto bracket = name_with_unit.find('[');
+        require(bracket != std::string::npos && bracket > 0 &&
+                  name_with_unit.back() == ']' &&
+                  name_with_unit.find_first_of(",\"\n") == std::string::npos,
+                "A contribution reports \"" + name_with_unit +
+                  "\", which is no name[unit].");
         return {name_with_unit.substr(0, bracket),
                 name_with_unit.substr(bracket + 1,
                                       name_with_unit.size() - bracket - 2)};

@@ -5,6 +5,7 @@
 #include <heddle/contributions/loads.h>
 #include <heddle/contributions/section_damping.h>
 #include <heddle/post/bend.h>
+#include <heddle/simulation/energy_balance.h>
 #include <heddle/simulation/fiber_placement.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/scene.h>
@@ -396,7 +397,11 @@ namespace Heddle
         add_plates(stage);
       if (make_own)
         for (const auto &own : make_own(*fiber_space, initial_blocks))
-          stage.contributions.push_back(own);
+          {
+            require(own != nullptr,
+                    "A contribution of your own is a null pointer.");
+            stage.contributions.push_back(own);
+          }
       // A matrix holds axes alone: nothing resists the spin of a straight
       // fiber.
       if (is_fabric() || parameters.matrix.enabled)
@@ -415,6 +420,12 @@ namespace Heddle
           fiber_friction->set_active(load_factor > 0. || !begins_overlapping);
         };
       add_friction(stage);
+      // Reports, checkpoints and the summary know them by name.
+      std::set<std::string> names;
+      for (const auto &contribution : stage.contributions)
+        require(names.insert(contribution->name()).second,
+                "Two contributions are called \"" + contribution->name() +
+                  "\"; give your own another name().");
       all_stages.push_back(stage);
     }
 
@@ -565,7 +576,7 @@ namespace Heddle
       const auto            report_those_of = [&](const Stage &one) {
         for (const auto &contribution : one.contributions)
           if (reported.insert(contribution->name()).second)
-            contribution->report(*configuration, values);
+            add_report(*contribution, values);
       };
       if (stage < all_stages.size())
         report_those_of(all_stages[stage]);
@@ -573,6 +584,24 @@ namespace Heddle
         report_those_of(other);
       values["max_bend_ratio[-]"] = Post::sharpest_bend(*configuration).ratio;
       return values;
+    }
+
+
+
+    void
+    Scene::add_report(const System::Contribution    &contribution,
+                      std::map<std::string, double> &values) const
+    {
+      std::map<std::string, double> more;
+      contribution.report(*configuration, more);
+      for (const auto &value : more)
+        if (value.first == EnergyBalance::external_work)
+          values[value.first] += value.second;
+        else
+          require(values.insert(value).second,
+                  "The contribution \"" + contribution.name() +
+                    "\" reports \"" + value.first +
+                    "\", as another one does; give that another name.");
     }
 
 

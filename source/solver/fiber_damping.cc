@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Heddle
 {
@@ -32,14 +33,9 @@ namespace Heddle
        * hardly at all. */
       constexpr double least = 1e-6, largest = 1e-2;
 
-
-
-      /** The least damping, from which it may rise again, counts as none. */
-      double
-      used(const double value)
-      {
-        return value > least ? value : 0.;
-      }
+      /** Of the stiffness of a node, what is round-off [-]. */
+      constexpr double digits_of_node =
+        256. * std::numeric_limits<double>::epsilon();
     } // namespace
 
 
@@ -57,11 +53,39 @@ namespace Heddle
     void
     FiberDamping::reset(const bool in_motion)
     {
+      alone            = false;
       const auto owned = space.owned_fibers();
       values.assign(owned.second - owned.first,
                     first == 0. ? 0.
                     : in_motion ? std::max(first, least)
                                 : least);
+    }
+
+
+
+    void
+    FiberDamping::reset_alone()
+    {
+      reset(/*in_motion=*/true);
+      alone = true;
+    }
+
+
+
+    double
+    FiberDamping::least_of(const unsigned int f) const
+    {
+      const double slenderness = space.fiber(f).length / space.fiber(f).radius;
+      return alone ? std::min(least, 1. / (slenderness * slenderness)) : least;
+    }
+
+
+
+    double
+    FiberDamping::used(const unsigned int k) const
+    {
+      const unsigned int f = space.owned_fibers().first + k;
+      return values[k] > least_of(f) ? values[k] : 0.;
     }
 
 
@@ -85,39 +109,41 @@ namespace Heddle
     void
     FiberDamping::for_each_block(const System::State &state,
                                  const unsigned int   f,
+                                 const double         of_sections,
                                  const Action        &action) const
     {
-      // Three blocks per node: a position and two section vectors, which move
-      // the surface by the radius times their own motion. Two: a position and
-      // a tangent.
-      const System::Fiber &fiber      = space.fiber(f);
-      const unsigned int   n_per_node = space.n_blocks_per_node();
-      const unsigned int   n_free     = n_per_node == 3 ? 3 : 1;
-      for (unsigned int i = 0; i < fiber.n_nodes; ++i)
+      // Three blocks per node: a position and two section vectors. Two: a
+      // position and a tangent.
+      const unsigned int n_per_node = space.n_blocks_per_node();
+      const unsigned int n_free     = n_per_node == 3 ? 3 : 1;
+      for (unsigned int i = 0; i < space.fiber(f).n_nodes; ++i)
         for (unsigned int k = 0; k < n_free; ++k)
           action(state.local_block(f) + i * n_per_node + k,
-                 k == 0 ? 1. : fiber.radius);
+                 k == 0 ? 1. : of_sections);
     }
 
 
 
-    template <typename Damping, typename Action>
+    template <typename Action>
     void
     FiberDamping::for_each_stiffness(const System::State &state,
-                                     const Damping       &damping,
                                      const Action        &action) const
     {
       const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
           const System::Fiber &fiber = space.fiber(f);
-          const double         stiffness =
-            damping(f - owned.first) * fiber.section.axial /
-            (fiber.radius * fiber.radius) * fiber.length / fiber.n_nodes;
-          for_each_block(
-            state, f, [&](const unsigned int block, const double lever) {
-              action(block, stiffness * lever * lever);
-            });
+          const double stiffness = used(f - owned.first) * fiber.section.axial /
+                                   (fiber.radius * fiber.radius) *
+                                   fiber.length / fiber.n_nodes;
+          // Section vectors move the surface by the radius times their own
+          // motion.
+          for_each_block(state,
+                         f,
+                         fiber.radius,
+                         [&](const unsigned int block, const double lever) {
+                           action(block, stiffness * lever * lever);
+                         });
         }
     }
 
@@ -128,9 +154,7 @@ namespace Heddle
                          const System::State &state) const
     {
       for_each_stiffness(
-        state,
-        [this](const unsigned int k) { return used(values[k]); },
-        [&system](const unsigned int block, const double stiffness) {
+        state, [&system](const unsigned int block, const double stiffness) {
           system.add_diagonal(block, stiffness);
         });
     }
@@ -138,16 +162,26 @@ namespace Heddle
 
 
     void
-    FiberDamping::add_to(System::BlockSystem &system,
-                         const System::State &state,
-                         const double         damping) const
+    FiberDamping::add_uncertainty_to(System::BlockSystem &system,
+                                     const System::State &state,
+                                     const double         unbalanced) const
     {
-      for_each_stiffness(
-        state,
-        [damping](unsigned int) { return damping; },
-        [&system](const unsigned int block, const double stiffness) {
-          system.add_diagonal(block, stiffness);
-        });
+      const auto owned = space.owned_fibers();
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        {
+          const System::Fiber &fiber    = space.fiber(f);
+          const double         distance = fiber.length / fiber.n_nodes;
+          const double         stiffness =
+            digits_of_node * fiber.section.axial / distance +
+            unbalanced / fiber.length;
+          for_each_block(state,
+                         f,
+                         distance,
+                         [&](const unsigned int block, const double lever) {
+                           system.add_diagonal(block,
+                                               stiffness * lever * lever);
+                         });
+        }
     }
 
 
@@ -159,7 +193,6 @@ namespace Heddle
       double sum = 0.;
       for_each_stiffness(
         state,
-        [this](const unsigned int k) { return used(values[k]); },
         [&sum, &increment](const unsigned int block, const double stiffness) {
           sum += stiffness * increment[block].norm_square();
         });
@@ -180,16 +213,19 @@ namespace Heddle
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
           double motion = 0.;
-          for_each_block(
-            state, f, [&](const unsigned int block, const double lever) {
-              motion = std::max(motion, lever * increment[block].norm());
-            });
+          for_each_block(state,
+                         f,
+                         space.fiber(f).radius,
+                         [&](const unsigned int block, const double lever) {
+                           motion =
+                             std::max(motion, lever * increment[block].norm());
+                         });
           const double ratio = motion / (wanted_motion * radius);
           double      &value = values[f - owned.first];
           value *= std::clamp(ratio, 1. / largest_factor, largest_factor);
           if (taken < much_cut && ratio > much_moved)
             value *= growth_after_cut;
-          value = std::clamp(value, least, largest);
+          value = std::clamp(value, least_of(f), largest);
         }
     }
   } // namespace Solver

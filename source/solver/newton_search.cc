@@ -65,9 +65,6 @@ namespace Heddle
 
       /** Whole steps after which a search without contact is held back. */
       constexpr unsigned int most_unguarded = 30;
-
-      /** Of motions that count as free, over what holds back entirely [-]. */
-      constexpr double least_stiffness = 1e-12;
     } // namespace
 
 
@@ -242,9 +239,11 @@ namespace Heddle
         return judge_progress(balanced, still);
 
       // In a matrix fibers buckle in waves as short as hexahedra allow, all at
-      // once: that is told, and not followed.
-      result.unstable =
-        !nonsmooth && (guarded || linear.indefinite) && is_unstable();
+      // once: that is told, and not followed. The tangent of the first
+      // iteration is still that of the step before.
+      result.unstable = !nonsmooth &&
+                        (guarded || linear.indefinite || iteration == 1) &&
+                        is_unstable();
       if (result.unstable && !guarded && !equations.state.matrix())
         {
           begin_again("not stable");
@@ -302,7 +301,7 @@ namespace Heddle
       equations.state.set(start);
       for (const auto &contribution : equations.contributions)
         contribution->begin_step(equations.state);
-      tools.damping.reset(/*in_motion=*/true);
+      tools.damping.reset_alone();
       guarded = true;
       mean_forces.clear();
       limit += result.iterations;
@@ -337,9 +336,11 @@ namespace Heddle
     NewtonSearch::is_unstable()
     {
       // Motions that nothing resists, such as the turn of a fiber about the
-      // line through its ends, have pivots of round-off, of either sign.
+      // line through its ends, have pivots of round-off and of what balances
+      // not quite, of either sign.
       equations.assemble();
-      tools.damping.add_to(equations.system, equations.state, least_stiffness);
+      tools.damping.add_uncertainty_to(
+        equations.system, equations.state, residual.largest_force);
       equations.system.end();
       const bool unstable = tools.linear_solver.solve().indefinite;
       equations.assemble(System::BlockSystem::Want::residual);

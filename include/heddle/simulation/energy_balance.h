@@ -22,6 +22,9 @@ namespace Heddle
       /** By name and unit, as Scene::report() returns them. */
       using Report = std::map<std::string, double>;
 
+      /** What all that do work on the scene report together. */
+      static constexpr const char *external_work = "external_work[N*mm]";
+
       /** Whether anything can do work. */
       static bool
       is_in(const Report &report);

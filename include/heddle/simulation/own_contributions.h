@@ -16,7 +16,9 @@ namespace Heddle
     /**
      * Makes contributions that heddle does not have, for a stage with loads:
      * they act there beside those of the parameter file. Given are the fibers
-     * and the owned blocks of the configuration in which they start.
+     * and the owned blocks of the configuration in which they are placed. Those
+     * of a fabric settle before the stage begins: what counts from there has to
+     * be taken in Contribution::begin_stage(), and saved.
      */
     using OwnContributions = std::function<Solver::Contributions(
       const System::FiberSpace        &space,

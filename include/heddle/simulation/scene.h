@@ -234,6 +234,11 @@ namespace Heddle
       void
       add_load_cases();
 
+      /** Add to @p values what this contribution reports. */
+      void
+      add_report(const System::Contribution    &contribution,
+                 std::map<std::string, double> &values) const;
+
       /**
        * Embed the fibers, as they lie in the state, in the matrix.
        * @note Collective.

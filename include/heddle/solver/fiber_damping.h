@@ -33,15 +33,29 @@ namespace Heddle
       void
       reset(const bool in_motion);
 
+      /**
+       * Hold all fibers back where nothing touches them. What is the least for
+       * fibers in contact is more than slender ones resist along their axes:
+       * theirs is (R / L)^2.
+       */
+      void
+      reset_alone();
+
       /** Add the stiffness to the blocks that it holds. */
       void
       add_to(System::BlockSystem &system, const System::State &state) const;
 
-      /** The same with one @p damping of all fibers [-]. */
+      /**
+       * Add what resists, at most, motions that nothing resists: the last
+       * digits of the stiffness of nodes, E A / h over their distance h, and
+       * what forces that are @p unbalanced [N] do as a fiber turns, over its
+       * length. That is not in units of the radius: a slender column that
+       * buckles is far softer.
+       */
       void
-      add_to(System::BlockSystem &system,
-             const System::State &state,
-             const double         damping) const;
+      add_uncertainty_to(System::BlockSystem &system,
+                         const System::State &state,
+                         const double         unbalanced) const;
 
       /** Local part of @p increment . stiffness . @p increment [N mm]. */
       double
@@ -68,26 +82,35 @@ namespace Heddle
 
     private:
       /**
-       * Call @p action(block, lever) for the positions and section vectors of
-       * fiber @p f: how far a motion of the block moves the surface.
+       * Call @p action(block, lever) for the positions, with 1, and section
+       * vectors, with @p of_sections, of fiber @p f.
        */
       template <typename Action>
       void
       for_each_block(const System::State &state,
                      const unsigned int   f,
+                     const double         of_sections,
                      const Action        &action) const;
 
-      /** Call @p action(block, stiffness) for those of all owned fibers, of
-       * which the k-th is held with @p damping(k). */
-      template <typename Damping, typename Action>
+      /** Call @p action(block, stiffness) for those of all owned fibers. */
+      template <typename Action>
       void
       for_each_stiffness(const System::State &state,
-                         const Damping       &damping,
                          const Action        &action) const;
+
+      /** The least damping of fiber @p f, from which it may rise again: it
+       * counts as none. */
+      double
+      least_of(const unsigned int f) const;
+
+      /** The damping of the k-th owned fiber that is in use. */
+      double
+      used(const unsigned int k) const;
 
       const System::FiberSpace &space;
       const double              first;
-      std::vector<double>       values; /**< of owned fibers [-] */
+      bool                      alone = false; /**< nothing touches */
+      std::vector<double>       values;        /**< of owned fibers [-] */
     };
   } // namespace Solver
 } // namespace Heddle

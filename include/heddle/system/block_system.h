@@ -106,8 +106,9 @@ namespace Heddle
 
       /**
        * Add the term of @p n local blocks: @p residual (3n numbers) and
-       * @p tangent (3n x 3n by rows; not read if not wanted). Rows of foreign
-       * blocks are left to their owners.
+       * @p tangent (3n x 3n by rows; not read if not wanted), which is
+       * symmetric: one half is kept. Rows of foreign blocks are left to their
+       * owners.
        */
       void
       add(const unsigned int  n,

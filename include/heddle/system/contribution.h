@@ -40,7 +40,8 @@ namespace Heddle
     public:
       virtual ~Contribution() = default;
 
-      /** "fiber contact": for logs, timers, the summary and tests. */
+      /** "fiber contact": for logs, checkpoints, the summary and tests; no two
+       * contributions have the same. */
       virtual std::string
       name() const = 0;
 
@@ -55,7 +56,7 @@ namespace Heddle
 
       /**
        * A stage begins in this configuration: motions that are prescribed from
-       * now on count from it.
+       * now on count from it. A run that is resumed calls load() instead.
        * @note Collective.
        */
       virtual void
@@ -75,7 +76,11 @@ namespace Heddle
       {
       }
 
-      /** Add residual and, if wanted, tangent. */
+      /**
+       * Add residual and, if wanted, its derivative, the tangent. That is
+       * symmetric: the matrix keeps one half of what BlockSystem::add() is
+       * given. What is not goes to BlockSystem::unsymmetric_terms().
+       */
       virtual void
       assemble(const State &state, BlockSystem &system) = 0;
 
@@ -139,7 +144,14 @@ namespace Heddle
         return "";
       }
 
-      /** Numbers for the summary and the history, by name with unit. */
+      /**
+       * Numbers for the history, by "name[unit]", always of the same names: the
+       * first call is made before a stage begins, and tells the columns. No
+       * other contribution may report the same, but that "external_work[N*mm]"
+       * is the sum of all of them: what this term brings in, since the stage
+       * began, belongs there, and what is stored in it to a name that ends in
+       * "_energy[N*mm]". Otherwise it is missed in the balance of energies.
+       */
       virtual void
       report(const State &, std::map<std::string, double> &) const
       {
