@@ -57,7 +57,7 @@ come_near()
   const Simulation::Parameters parameters{ParameterFile(name)};
   Simulation::Scene            scene(parameters, name, MPI_COMM_WORLD);
   const Simulation::Stage     &stage = scene.stages().front();
-  AssertThrow(stage.aim == Solver::Aim::calm, ExcInternalError());
+  AssertThrow(stage.aim == Solver::Aim::calm_from_start, ExcInternalError());
 
   std::ostringstream screen;
   Log                log(MPI_COMM_WORLD, screen);
