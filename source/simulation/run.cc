@@ -5,6 +5,7 @@
 #include <heddle/base/version.h>
 #include <heddle/simulation/computation.h>
 #include <heddle/simulation/inactive_parameters.h>
+#include <heddle/simulation/own_tangents.h>
 #include <heddle/simulation/run.h>
 #include <heddle/simulation/scene_description.h>
 
@@ -160,6 +161,7 @@ namespace Heddle
             computation.read_checkpoint();
           else if (!parameters.restart.initial_configuration.empty())
             recorder.read_initial_configuration(log);
+          print_own_tangents(log, scene);
           return;
         }
 

@@ -396,12 +396,17 @@ namespace Heddle
       if (parameters.plates.are_there())
         add_plates(stage);
       if (make_own)
-        for (const auto &own : make_own(*fiber_space, initial_blocks))
-          {
-            require(own != nullptr,
-                    "A contribution of your own is a null pointer.");
-            stage.contributions.push_back(own);
-          }
+        {
+          const auto own = make_own(*fiber_space, initial_blocks);
+          for (const auto &one : own)
+            {
+              require(one != nullptr,
+                      "A contribution of your own is a null pointer.");
+              stage.contributions.push_back(one);
+            }
+          if (first_own.empty())
+            first_own = own;
+        }
       // A matrix holds axes alone: nothing resists the spin of a straight
       // fiber.
       if (is_fabric() || parameters.matrix.enabled)

@@ -65,6 +65,7 @@ write_scene()
 void
 try_two(const Mute &first, const Mute &second)
 {
+  ParameterAcceptor::clear();
   ParameterFile                file(file_name);
   const Simulation::Parameters parameters(file);
   try
