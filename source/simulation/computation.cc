@@ -395,6 +395,7 @@ namespace Heddle
         {
           for (const auto &contribution : contributions)
             contribution->begin_step(state);
+          // Only the first search of a stage begins where fibers start.
           const bool        predicts = stage.is_loaded() && i == 0;
           const Solver::Aim aim =
             stage.aim == Solver::Aim::equilibrium_from_start &&

@@ -11,8 +11,7 @@ namespace Heddle
     /**
      * Tell how far the tangents of contributions that are not heddle's are from
      * the derivatives of their residuals, where fibers start and at load factor
-     * 1. They begin a stage and a step there: nothing is to be computed with
-     * them afterwards.
+     * 1.
      * @note Collective.
      */
     void

@@ -108,12 +108,10 @@ namespace Heddle
         return held_by.get();
       }
 
-      /** Those that were made for the first stage with loads. */
-      const Solver::Contributions &
-      own_contributions() const
-      {
-        return first_own;
-      }
+      /** Contributions that are not heddle's, made anew for a stage with loads.
+       */
+      Solver::Contributions
+      own_contributions() const;
 
       /** The matrix in which the fibers are embedded, or nullptr yet. */
       const Matrix *
@@ -270,7 +268,6 @@ namespace Heddle
       std::shared_ptr<Contributions::FiberContact>    fiber_contact;
       std::shared_ptr<Contributions::FiberFriction>   fiber_friction;
       std::shared_ptr<System::Contribution>           guides;
-      Solver::Contributions                           first_own;
 
       /** Those of the file, of fibers that are no fabric. */
       std::shared_ptr<Contributions::Supports> held_by;
