@@ -11,7 +11,7 @@ namespace Heddle
       , yarns(state)
     {
       if (state.matrix())
-        matrix = std::make_unique<MatrixBlock>(state);
+        matrix = std::make_unique<MatrixNodes>(state);
     }
 
 
@@ -58,7 +58,7 @@ namespace Heddle
       const unsigned int n = self->n_fiber_dofs;
       code                 = self->fibers.apply(input, output);
       if (self->matrix)
-        code = code != 0 ? code : self->matrix->apply(input + n, output + n);
+        self->matrix->apply(input + n, output + n);
       if (self->corrected)
         code = code != 0 ? code : self->yarns.add_correction(input, output);
       code = code != 0 ? code : VecRestoreArray(result, &output);

@@ -130,7 +130,7 @@ namespace Heddle
                  "'direct': sparse factorization by MUMPS. 'fiber blocks': "
                  "conjugate gradients preconditioned by a factorization of "
                  "each fiber, a correction of how parts of yarns move and, "
-                 "in a matrix, a sweep of Gauss and Seidel over its nodes. "
+                 "in a matrix, an inverse of the block of each node. "
                  "With friction GMRES follows where these leave too much. "
                  "'automatic': direct for few unknowns [-].");
       add_parameter("Tolerance",

@@ -2,7 +2,7 @@
 #define heddle_solver_block_preconditioner_h
 
 #include <heddle/solver/fiber_blocks.h>
-#include <heddle/solver/matrix_block.h>
+#include <heddle/solver/matrix_nodes.h>
 #include <heddle/solver/yarn_motions.h>
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace Heddle
 
     /**
      * Preconditioner of conjugate gradients: FiberBlocks for the fibers and
-     * MatrixBlock for the matrix, if there is one, plus the coarse correction
+     * MatrixNodes for the matrix, if there is one, plus the coarse correction
      * of YarnMotions. The blocks leave out what couples them, and what couples
      * ranks.
      */
@@ -46,7 +46,7 @@ namespace Heddle
       FiberBlocks                  fibers;
       YarnMotions                  yarns;
       bool                         corrected = false;
-      std::unique_ptr<MatrixBlock> matrix;
+      std::unique_ptr<MatrixNodes> matrix;
     };
   } // namespace Solver
 } // namespace Heddle
