@@ -29,7 +29,7 @@ namespace Heddle
                 embedded.fiber_blocks[n]   = point.particle.blocks[i];
                 embedded.link.weights[n++] = point.particle.values[i];
               }
-          embedded.n_of_fiber = n;
+          embedded.link.n_of_fiber = n;
           for (unsigned int a = 0; a < point.shapes.size(); ++a)
             {
               embedded.matrix_blocks[a] =
@@ -39,17 +39,61 @@ namespace Heddle
           find_places(embedded, state, places);
           embedded.link.offset = embedded.link.stretch(places.places.data());
           links.push_back(embedded);
+
+          if (!point.gradients.empty())
+            add_section(point, embedded.link.stiffness, matrix, state);
         }
     }
 
 
 
     void
-    FiberMatrixCoupling::find_places(const EmbeddedLink  &embedded,
+    FiberMatrixCoupling::add_section(const EmbeddedPoint       &point,
+                                     const double               stiffness,
+                                     const System::MatrixSpace &matrix,
+                                     const System::State       &state)
+    {
+      const double    radius   = state.space.fiber(point.fiber).radius;
+      EmbeddedSection embedded = {};
+      embedded.fiber           = point.fiber;
+      embedded.link.stiffness  = stiffness * radius * radius;
+
+      std::array<Tensor<1, 3>, 2> vectors;
+      unsigned int               &n = embedded.link.n;
+      for (unsigned int i = 0; i < point.section.values.size(); ++i)
+        if (point.section.values[i] != 0.)
+          {
+            embedded.link.weights[n / 2] = point.section.values[i];
+            for (unsigned int alpha = 0; alpha < 2; ++alpha)
+              {
+                const unsigned int block   = point.section.blocks[i] + alpha;
+                embedded.fiber_blocks[n++] = block;
+                vectors[alpha] +=
+                  point.section.values[i] *
+                  state.current()[state.local_block(point.fiber) + block];
+              }
+          }
+      embedded.link.n_of_fiber = n;
+      for (unsigned int a = 0; a < point.gradients.size(); ++a, ++n)
+        {
+          embedded.matrix_blocks[a] =
+            state.matrix_block(matrix.cell(point.cell)[a]);
+          for (unsigned int alpha = 0; alpha < 2; ++alpha)
+            embedded.link.slopes[a][alpha] =
+              point.gradients[a] * vectors[alpha];
+        }
+      sections.push_back(embedded);
+    }
+
+
+
+    template <class Embedded>
+    void
+    FiberMatrixCoupling::find_places(const Embedded      &embedded,
                                      const System::State &state,
                                      Places              &places)
     {
-      const unsigned int n_of_fiber = embedded.n_of_fiber;
+      const unsigned int n_of_fiber = embedded.link.n_of_fiber;
       for (unsigned int a = 0; a < embedded.link.n; ++a)
         {
           places.blocks[a] =
@@ -66,12 +110,15 @@ namespace Heddle
     FiberMatrixCoupling::add_pattern(const System::State  &state,
                                      System::BlockPattern &pattern)
     {
-      Places places;
+      Places     places;
+      const auto couple = [&](const auto &embedded) {
+        find_places(embedded, state, places);
+        pattern.couple(embedded.link.n, places.blocks.data());
+      };
       for (const EmbeddedLink &embedded : links)
-        {
-          find_places(embedded, state, places);
-          pattern.couple(embedded.link.n, places.blocks.data());
-        }
+        couple(embedded);
+      for (const EmbeddedSection &embedded : sections)
+        couple(embedded);
     }
 
 
@@ -80,11 +127,23 @@ namespace Heddle
     FiberMatrixCoupling::assemble(const System::State &state,
                                   System::BlockSystem &system)
     {
+      assemble_links(links, state, system);
+      assemble_links(sections, state, system);
+    }
+
+
+
+    template <class Embedded>
+    void
+    FiberMatrixCoupling::assemble_links(const std::vector<Embedded> &links,
+                                        const System::State         &state,
+                                        System::BlockSystem         &system)
+    {
       constexpr unsigned int       max_dofs = 3 * Coupling::max_weights;
       std::array<double, max_dofs> residual;
       std::array<double, max_dofs * max_dofs> tangent;
       Places                                  places;
-      for (const EmbeddedLink &embedded : links)
+      for (const Embedded &embedded : links)
         {
           find_places(embedded, state, places);
           embedded.link.assemble(places.places.data(),
@@ -133,6 +192,14 @@ namespace Heddle
               std::max(largest_force,
                        embedded.link.stiffness * stretch / embedded.length);
           }
+      for (const EmbeddedSection &embedded : sections)
+        if (state.space.owns(embedded.fiber))
+          {
+            Places places;
+            find_places(embedded, state, places);
+            const double turn = embedded.link.turn(places.places.data());
+            sums.energy += 0.5 * embedded.link.stiffness * turn * turn;
+          }
       sum_over_ranks(sums, state.space.communicator());
       max_over_ranks(largest_force, state.space.communicator());
       values["coupling_energy[N*mm]"]                   = sums.energy;
@@ -152,7 +219,7 @@ namespace Heddle
             Places places;
             find_places(embedded, state, places);
             Tensor<1, 3> position;
-            for (unsigned int a = 0; a < embedded.n_of_fiber; ++a)
+            for (unsigned int a = 0; a < embedded.link.n_of_fiber; ++a)
               position += embedded.link.weights[a] * places.places[a];
             result.push_back({embedded.fiber,
                               position,

@@ -1,6 +1,8 @@
 #include <heddle/base/expression.h>
 #include <heddle/contributions/load_parameters.h>
 
+#include <algorithm>
+
 namespace Heddle
 {
   namespace Contributions
@@ -38,6 +40,16 @@ namespace Heddle
     {
       for (unsigned int d = 0; d < 3; ++d)
         add_parameter(name + ' ' + "xyz"[d], components[d], meaning);
+    }
+
+
+
+    bool
+    LoadParameters::has_moment() const
+    {
+      return std::any_of(moment.begin(),
+                         moment.end(),
+                         [](const std::string &text) { return text != "0"; });
     }
 
 

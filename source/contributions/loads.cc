@@ -116,7 +116,7 @@ namespace Heddle
             if (!is_nothing(parameters.force))
               forces.push_back(
                 {load, block, 1., position, /*per_length=*/false});
-            if (!is_nothing(parameters.moment))
+            if (parameters.has_moment())
               moments.push_back({load,
                                  block + 1,
                                  fiber.length / (fiber.n_nodes - 1),

@@ -1,6 +1,7 @@
 #include <heddle/simulation/coupling_points.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +27,12 @@ namespace Heddle
 
     CouplingPoints::CouplingPoints(const System::State       &state,
                                    const Textile::MatrixMesh &mesh,
-                                   const FiniteElement<3>    &shapes)
+                                   const System::MatrixSpace &matrix,
+                                   const bool                 with_sections)
       : state(state)
       , mesh(mesh)
-      , shapes(shapes)
+      , matrix(matrix)
+      , with_sections(with_sections && state.space.n_blocks_per_node() == 3)
     {
     }
 
@@ -55,6 +58,7 @@ namespace Heddle
           if (within[i] && length > 0.)
             add(
               fiber,
+              s[i],
               {{{i * space.n_blocks_per_node(), 0, 0, 0}}, {{1., 0., 0., 0.}}},
               length);
 
@@ -127,16 +131,20 @@ namespace Heddle
     {
       const QGauss<1> gauss(n_points);
       for (unsigned int q = 0; q < n_points; ++q)
-        add(
-          fiber,
-          state.space.locate(fiber, begin + (end - begin) * gauss.point(q)[0]),
-          (end - begin) * gauss.weight(q));
+        {
+          const double s = begin + (end - begin) * gauss.point(q)[0];
+          add(fiber,
+              s,
+              state.space.locate(fiber, s),
+              (end - begin) * gauss.weight(q));
+        }
     }
 
 
 
     void
     CouplingPoints::add(const unsigned int           fiber,
+                        const double                 s,
                         const System::MaterialPoint &particle,
                         const double                 length)
     {
@@ -144,9 +152,37 @@ namespace Heddle
         mesh.locate(particle.position(state.fiber(fiber)));
       if (place.cell == Textile::no_cell)
         return;
-      found.push_back({fiber, particle, place.cell, {}, length});
+      const FiniteElement<3>      &shapes = matrix.shape_functions();
+      Contributions::EmbeddedPoint point{
+        fiber, particle, place.cell, {}, length};
       for (unsigned int a = 0; a < shapes.n_dofs_per_cell(); ++a)
-        found.back().shapes.push_back(shapes.shape_value(a, place.unit));
+        point.shapes.push_back(shapes.shape_value(a, place.unit));
+      if (with_sections)
+        {
+          point.section   = state.space.locate_section(fiber, s);
+          point.gradients = gradients(place);
+        }
+      found.push_back(point);
+    }
+
+
+
+    std::vector<Tensor<1, 3>>
+    CouplingPoints::gradients(const Textile::PlaceInCell &place) const
+    {
+      const FiniteElement<3>   &shapes = matrix.shape_functions();
+      std::vector<Tensor<1, 3>> in_cell;
+      Tensor<2, 3>              jacobian;
+      for (unsigned int a = 0; a < shapes.n_dofs_per_cell(); ++a)
+        {
+          in_cell.push_back(shapes.shape_grad(a, place.unit));
+          jacobian += outer_product(
+            in_cell.back(), matrix.reference(matrix.cell(place.cell)[a]));
+        }
+      const Tensor<2, 3> inverse = invert(jacobian);
+      for (Tensor<1, 3> &gradient : in_cell)
+        gradient = inverse * gradient;
+      return in_cell;
     }
   } // namespace Simulation
 } // namespace Heddle

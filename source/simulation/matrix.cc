@@ -37,8 +37,13 @@ namespace Heddle
 
 
 
-    Matrix::Matrix(const MatrixParameters &parameters, System::State &state)
+    Matrix::Matrix(const MatrixParameters &parameters,
+                   System::State          &state,
+                   const bool              sections_are_turned)
       : parameters(parameters)
+      , links_sections(parameters.section_links == SectionLinks::always ||
+                       (parameters.section_links == SectionLinks::automatic &&
+                        sections_are_turned))
       , embedded_at(state.current().begin(),
                     state.current().begin() + state.n_owned_fiber_blocks())
     {
@@ -296,7 +301,7 @@ namespace Heddle
     Matrix::Points
     Matrix::embed(const System::State &state) const
     {
-      CouplingPoints places(state, *mesh, matrix_space->shape_functions());
+      CouplingPoints places(state, *mesh, *matrix_space, links_sections);
       const auto     owned = state.space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         if (parameters.points_per_element == 0)

@@ -1,3 +1,4 @@
+#include <heddle/base/choice.h>
 #include <heddle/simulation/matrix_parameters.h>
 
 namespace Heddle
@@ -36,6 +37,16 @@ namespace Heddle
                     "leaves the matrix [-].",
                     prm,
                     Patterns::Integer(0, 5));
+      add_choice(*this,
+                 "Link sections",
+                 section_links,
+                 "Whether links also resist that fibers turn about their axes "
+                 "in the matrix, which grips their surfaces: by their "
+                 "stiffness at the distance of a radius. Otherwise they hold "
+                 "axes only, as in the paper, and a straight fiber turns for "
+                 "nothing. 'automatic': if a load has a moment or a support "
+                 "turns sections; in fabrics that are pulled or sheared it "
+                 "changes forces by some 0.1 %. Inactive for 'hermite' [-].");
       add_parameter("Subtract fiber volume",
                     subtract_fiber_volume,
                     "Whether cells of the matrix count without the volume of "

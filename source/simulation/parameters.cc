@@ -2,6 +2,7 @@
 #include <heddle/simulation/parameters.h>
 #include <heddle/textile/matrix_grid.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace Heddle
@@ -137,6 +138,21 @@ namespace Heddle
                 support->entry("Matrix sides") +
                   " names sides, but Matrix/Enabled is false: leave them out, "
                   "or enable the matrix.");
+    }
+
+
+
+    bool
+    Parameters::turn_sections() const
+    {
+      return std::any_of(loads.begin(),
+                         loads.end(),
+                         [](const auto &load) { return load->has_moment(); }) ||
+             std::any_of(
+               supports.begin(), supports.end(), [](const auto &support) {
+                 return support->section ==
+                        Contributions::SupportedSection::turned;
+               });
     }
 
 

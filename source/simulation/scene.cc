@@ -409,8 +409,8 @@ namespace Heddle
         add_plates(stage);
       for (const auto &own : own_contributions())
         stage.contributions.push_back(own);
-      // A matrix holds axes alone: nothing resists the spin of a straight
-      // fiber.
+      // A matrix may hold axes alone: then nothing resists the spin of a
+      // straight fiber.
       if (is_fabric() || parameters.matrix.enabled)
         add_section_damping(stage, fiber_friction != nullptr);
       if (fiber_contact)
@@ -548,7 +548,8 @@ namespace Heddle
     void
     Scene::embed()
     {
-      composite = std::make_unique<Matrix>(parameters.matrix, state());
+      composite = std::make_unique<Matrix>(
+        parameters.matrix, state(), parameters.turn_sections());
       for (Stage &stage : all_stages)
         if (stage.is_loaded())
           {

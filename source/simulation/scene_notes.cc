@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 
 namespace Heddle
@@ -155,6 +156,60 @@ namespace Heddle
 
 
 
+      /** The first fiber on which a load with a moment about its axis acts, or
+       * none. */
+      std::optional<unsigned int>
+      twisted_fiber(const Scene                         &scene,
+                    const Contributions::LoadParameters &load)
+      {
+        constexpr double much = 0.1;
+        if (load.has_moment())
+          for (const unsigned int f : load.nodes.find_fibers(
+                 scene.space(), Contributions::section_in_words(load)))
+            {
+              const auto        &points = scene.fiber_paths()[f].points;
+              const Tensor<1, 3> chord  = points.back() - points.front();
+              for (unsigned int d = 0; d < 3; ++d)
+                if (load.moment[d] != "0" &&
+                    std::abs(chord[d]) > much * chord.norm())
+                  return f;
+            }
+        return {};
+      }
+
+
+
+      /** A moment about an axis that nothing resists, or nothing. */
+      std::string
+      moment_that_spins(const Scene &scene, const Parameters &parameters)
+      {
+        if (parameters.fiber.element_kind == Beam::ElementKind::hermite ||
+            (parameters.matrix.enabled &&
+             parameters.matrix.section_links != SectionLinks::never) ||
+            scene.friction() != nullptr ||
+            std::any_of(parameters.supports.begin(),
+                        parameters.supports.end(),
+                        [](const auto &support) {
+                          return support->section !=
+                                 Contributions::SupportedSection::free;
+                        }))
+          return "";
+        for (unsigned int i = 0; i < parameters.loads.size(); ++i)
+          if (const auto fiber = twisted_fiber(scene, *parameters.loads[i]))
+            return "Loads/Load " + std::to_string(i + 1) +
+                   " has a moment about the axis of fiber " +
+                   std::to_string(*fiber) +
+                   ", and no support holds a section: one that is straight "
+                   "when free spins, and there is no equilibrium; set "
+                   "Supports/Support 1/Section = held" +
+                   (parameters.matrix.enabled
+                      ? ", or Matrix/Link sections = automatic"
+                      : "");
+        return "";
+      }
+
+
+
       /** Fibers that keep no plane of their bends, which nothing else holds
        * either, or nothing. */
       std::string
@@ -221,7 +276,8 @@ namespace Heddle
             askew_fabric(scene, parameters),
             crumbled_fiber(scene),
             missed_points(scene, file),
-            limp_fibers(scene, parameters)})
+            limp_fibers(scene, parameters),
+            moment_that_spins(scene, parameters)})
         notes.push_back(note);
       for (const std::string &note : notes_on_chosen_ends(scene, parameters))
         notes.push_back(note);

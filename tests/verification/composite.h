@@ -32,7 +32,8 @@ public:
   embed(const std::vector<Textile::FiberPath> &paths)
   {
     build(paths);
-    matrix = std::make_unique<Simulation::Matrix>(parameters, *state);
+    matrix = std::make_unique<Simulation::Matrix>(
+      parameters, *state, /*sections_are_turned=*/false);
     contributions.push_back(matrix->elasticity());
     contributions.push_back(matrix->coupling());
     for (const auto &contribution : contributions)

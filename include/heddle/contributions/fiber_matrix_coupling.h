@@ -2,6 +2,7 @@
 #define heddle_contributions_fiber_matrix_coupling_h
 
 #include <heddle/coupling/link.h>
+#include <heddle/coupling/section_link.h>
 #include <heddle/system/contribution.h>
 
 #include <boost/serialization/array.hpp>
@@ -28,11 +29,16 @@ namespace Heddle
       std::vector<double> shapes; /**< of the nodes of the cell there [-] */
       double              length; /**< of the fiber that it stands for [mm] */
 
+      /** Its section, and the gradients of the shapes [1/mm], if it is held. */
+      System::SectionPoint      section   = {};
+      std::vector<Tensor<1, 3>> gradients = {};
+
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
         archive &fiber &particle.blocks &particle.values &cell &shapes &length;
+        archive &section.blocks &section.values &gradients;
       }
     };
 
@@ -42,6 +48,10 @@ namespace Heddle
      * constant, that of the matrix times the length of fiber that a link stands
      * for, so that the force per length does not depend on the mesh of the
      * fiber.
+     *
+     * Where the element has sections, the matrix holds these as well: it grips
+     * the surface of a fiber of radius R, so that a link of stiffness k resists
+     * its turning about its axis by @f$ k R^2 @f$ (Coupling::SectionLink).
      */
     class FiberMatrixCoupling : public System::Contribution
     {
@@ -93,11 +103,18 @@ namespace Heddle
       struct EmbeddedLink
       {
         unsigned int                 fiber;
-        unsigned int                 n_of_fiber;
         double                       length;
         std::array<unsigned int, 4>  fiber_blocks;
         std::array<unsigned int, 27> matrix_blocks;
         Coupling::Link               link;
+      };
+
+      struct EmbeddedSection
+      {
+        unsigned int                 fiber;
+        std::array<unsigned int, 4>  fiber_blocks;
+        std::array<unsigned int, 27> matrix_blocks;
+        Coupling::SectionLink        link;
       };
 
       /** Local blocks of a link, and their places, for the kernel. */
@@ -107,12 +124,27 @@ namespace Heddle
         std::array<Tensor<1, 3>, Coupling::max_weights> places;
       };
 
+      void
+      add_section(const EmbeddedPoint       &point,
+                  const double               stiffness,
+                  const System::MatrixSpace &matrix,
+                  const System::State       &state);
+
+      /** Those of the fiber come first. */
+      template <class Embedded>
       static void
-      find_places(const EmbeddedLink  &embedded,
+      find_places(const Embedded      &embedded,
                   const System::State &state,
                   Places              &places);
 
-      std::vector<EmbeddedLink> links;
+      template <class Embedded>
+      static void
+      assemble_links(const std::vector<Embedded> &links,
+                     const System::State         &state,
+                     System::BlockSystem         &system);
+
+      std::vector<EmbeddedLink>    links;
+      std::vector<EmbeddedSection> sections;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -28,6 +28,9 @@ namespace Heddle
       std::array<std::string, 3> moment           = {{"0", "0", "0"}};
       std::array<std::string, 3> force_per_length = {{"0", "0", "0"}};
 
+      bool
+      has_moment() const;
+
       /** Throw InputError if an entry is no formula. */
       void
       check() const;

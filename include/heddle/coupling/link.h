@@ -25,7 +25,8 @@ namespace Heddle
      */
     struct Link
     {
-      unsigned int                    n = 0;          /**< number of weights */
+      unsigned int                    n          = 0; /**< number of weights */
+      unsigned int                    n_of_fiber = 0; /**< the first of them */
       std::array<double, max_weights> weights;        /**< [-] */
       double                          stiffness = 0.; /**< k [N/mm] */
       Tensor<1, 3>                    offset;         /**< d_0 [mm] */

@@ -2,10 +2,9 @@
 #define heddle_simulation_coupling_points_h
 
 #include <heddle/contributions/fiber_matrix_coupling.h>
+#include <heddle/system/matrix_space.h>
 #include <heddle/system/state.h>
 #include <heddle/textile/matrix_mesh.h>
-
-#include <deal.II/fe/fe.h>
 
 #include <vector>
 
@@ -24,10 +23,12 @@ namespace Heddle
     public:
       using Points = std::vector<Contributions::EmbeddedPoint>;
 
-      /** Fibers are where @p state has them, in cells with @p shapes. */
+      /** Fibers are where @p state has them, in cells of @p matrix. Their
+       * sections are linked too, if they shall be, and if there are any. */
       CouplingPoints(const System::State       &state,
                      const Textile::MatrixMesh &mesh,
-                     const FiniteElement<3>    &shapes);
+                     const System::MatrixSpace &matrix,
+                     const bool                 with_sections);
 
       /**
        * Take nodes of the fiber (Durville), each for the half of the intervals
@@ -67,15 +68,24 @@ namespace Heddle
                 const double       begin,
                 const double       end);
 
-      /** Take a particle that stands for @p length [mm], if a cell has it. */
+      /**
+       * Take the particle at arc length @p s [mm], with the section there,
+       * which stands for @p length [mm], if a cell has it.
+       */
       void
       add(const unsigned int           fiber,
+          const double                 s,
           const System::MaterialPoint &particle,
           const double                 length);
 
+      /** Of the shapes of the cell at this place of it [1/mm]. */
+      std::vector<Tensor<1, 3>>
+      gradients(const Textile::PlaceInCell &place) const;
+
       const System::State       &state;
       const Textile::MatrixMesh &mesh;
-      const FiniteElement<3>    &shapes;
+      const System::MatrixSpace &matrix;
+      const bool                 with_sections;
       Points                     found;
     };
   } // namespace Simulation

@@ -27,10 +27,13 @@ namespace Heddle
     public:
       /**
        * Embed the fibers as they lie in @p state, and add the matrix to it.
+       * @p sections_are_turned is whether anything turns sections of fibers.
        * Throws InputError if there is no sound mesh.
        * @note Collective.
        */
-      Matrix(const MatrixParameters &parameters, System::State &state);
+      Matrix(const MatrixParameters &parameters,
+             System::State          &state,
+             const bool              sections_are_turned);
 
       /** Write where the fibers were embedded, so that it can be done again. */
       void
@@ -137,6 +140,7 @@ namespace Heddle
       find_doubled_parts();
 
       const MatrixParameters                             &parameters;
+      const bool                                          links_sections;
       std::vector<Tensor<1, 3>>                           embedded_at;
       std::vector<Textile::FiberAxis>                     axes;
       std::unique_ptr<Textile::MatrixMesh>                mesh;

@@ -14,6 +14,32 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** Where a matrix resists that sections turn about the axis of a fiber. */
+    enum class SectionLinks
+    {
+      automatic, /**< everywhere, if anything turns sections */
+      always,
+      never
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const SectionLinks links)
+    {
+      switch (links)
+        {
+          case SectionLinks::automatic:
+            return "automatic";
+          case SectionLinks::always:
+            return "always";
+          case SectionLinks::never:
+            return "never";
+        }
+      return nullptr;
+    }
+
+
+
     /** The elastic matrix around the fibers, and how it holds them. */
     class MatrixParameters : public ParameterAcceptor
     {
@@ -24,8 +50,9 @@ namespace Heddle
       Textile::MatrixMeshParameters mesh;
       unsigned int                  degree = 1;
       Solid::MaterialParameters     material;
-      double                        stiffness_factor      = 1.;
-      unsigned int                  points_per_element    = 0;
+      double                        stiffness_factor   = 1.;
+      unsigned int                  points_per_element = 0;
+      SectionLinks                  section_links = SectionLinks::automatic;
       bool                          subtract_fiber_volume = false;
     };
   } // namespace Simulation

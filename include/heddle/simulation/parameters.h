@@ -39,6 +39,10 @@ namespace Heddle
         return fabric_loading.is_active() || !supports.empty();
       }
 
+      /** Whether a load or a support turns sections of fibers. */
+      bool
+      turn_sections() const;
+
       /** Throw InputError if @p file describes no scene, or another one. */
       void
       check(const ParameterFile &file) const;
