@@ -15,24 +15,27 @@ namespace Heddle
     {
       /**
        * An iteration is calm if it moves no fiber further than @p motion, in
-       * radii, and forces balance on average to @p mean_ratio. Nonsmooth terms
-       * then keep the part @p hardening of their softness.
+       * radii, and their nodes by @p mean_motion on average, and forces balance
+       * on average to @p mean_ratio. Nonsmooth terms then keep the part
+       * @p hardening of their softness.
        */
       struct Calm
       {
-        double motion, mean_ratio, hardening;
+        double motion, mean_motion, mean_ratio, hardening;
       };
 
-      constexpr Calm before_equilibrium = {0.3, 0.1, 0.5};
+      constexpr Calm before_equilibrium = {0.3, 0.3, 0.1, 0.5};
 
       /**
        * Where friction is to begin there is no need to wait for the last
        * fibers: it holds those that are still on their way. That saves a third
        * of the iterations of the paper's fabrics. But forces have to balance on
        * average: where friction began before, 5 of 24 small fabrics ended with
-       * 1.4 % less force than the others (doc/what_was_tried.md).
+       * 1.4 % less force than the others (doc/what_was_tried.md). They do so
+       * from the start where yarns are loose and pulled hard: as long as yarns
+       * move as a whole, by 0.2 R and more, friction is not to hold them.
        */
-      constexpr Calm before_friction = {0.6, 0.6, 0.25};
+      constexpr Calm before_friction = {0.6, 0.15, 0.6, 0.25};
 
       const Calm &
       calmness(const Aim aim)
@@ -153,6 +156,7 @@ namespace Heddle
         }
       calm = nonsmooth && iteration > 0 &&
              result.increment < calmness(aim).motion &&
+             mean_motion() < calmness(aim).mean_motion &&
              residual.mean_ratio < calmness(aim).mean_ratio;
       mean_forces.push_back(residual.mean_force);
       result.residual_ratio = residual.ratio;

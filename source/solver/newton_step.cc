@@ -240,6 +240,21 @@ namespace Heddle
 
 
     double
+    NewtonSearch::mean_motion() const
+    {
+      const System::State &state = equations.state;
+      double               sum = 0., n = 0.;
+      for (unsigned int b = 0; b < state.n_owned_fiber_blocks();
+           b += state.space.n_blocks_per_node(), n += 1.)
+        sum += increment[b].norm_square();
+      return std::sqrt(Utilities::MPI::sum(sum, equations.communicator) /
+                       Utilities::MPI::sum(n, equations.communicator)) /
+             equations.length_scale;
+    }
+
+
+
+    double
     NewtonSearch::largest_motion() const
     {
       const System::State &state    = equations.state;

@@ -171,10 +171,11 @@ unsigned int Composite::n_scenes = 0;
 
 /**
  * Fibers in an elastic matrix: conjugate gradients find the increment that a
- * factorization finds, and Newton's method takes as many iterations. The bound
- * on linear iterations is met by a symmetric sweep over the nodes of the matrix
- * (186 for each of Newton's at most), not by its diagonal (267 at least). Where
- * they do not converge, here for want of iterations, the system is factorized.
+ * factorization finds, and Newton's method takes as many iterations. The bounds
+ * on linear iterations for each of Newton's are met by the inverses of nodes of
+ * the matrix (258 with degree 1, 348 with degree 2), not without (326, and 400
+ * that do not suffice). Where they do not converge, here for want of
+ * iterations, the system is factorized.
  */
 void
 composites()
@@ -189,6 +190,7 @@ composites()
   }
   for (const unsigned int degree : {1, 2})
     {
+      const unsigned int bound = degree == 1 ? 290 : 375;
       Composite  exact("direct", degree), iterative("fiber blocks", degree);
       const auto expected = exact.solve(1.), result = iterative.solve(1.);
       double     error = 0., largest = 0.;
@@ -215,7 +217,7 @@ composites()
               << (expected.factorizations == expected.iterations)
               << (result.factorizations == 0) << ", the same "
               << (error < 1e-6 * largest) << ", linear iterations bounded "
-              << (result.linear_iterations < 220 * result.iterations)
+              << (result.linear_iterations < bound * result.iterations)
               << std::endl;
     }
 }

@@ -180,6 +180,10 @@ namespace Heddle
       double
       largest_motion() const;
 
+      /** Root mean square of that of nodes of fibers. */
+      double
+      mean_motion() const;
+
       void
       report() const;
 
