@@ -56,7 +56,7 @@ namespace Heddle
       if (code != 0)
         return code;
       const unsigned int n = self->n_fiber_dofs;
-      code                 = self->fibers.apply(input, output);
+      self->fibers.apply(input, output);
       if (self->matrix)
         self->matrix->apply(input + n, output + n);
       if (self->corrected)

@@ -1,7 +1,9 @@
 #include <heddle/solver/fiber_blocks.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace Heddle
 {
@@ -9,14 +11,6 @@ namespace Heddle
   {
     namespace
     {
-      constexpr unsigned int size = CholeskyBlocks::size;
-
-      /**
-       * So many rows, at least, are factorized together, if there are so many:
-       * some 300 kB.
-       */
-      constexpr unsigned int rows_of_group = 512;
-
       /**
        * First shift of an unstable fiber, over the largest stiffness of its
        * positions ...
@@ -48,7 +42,7 @@ namespace Heddle
       is_zero(const double *block)
       {
         return std::all_of(
-          block, block + size, [](const double value) { return value == 0.; });
+          block, block + 9, [](const double value) { return value == 0.; });
       }
     } // namespace
 
@@ -79,56 +73,109 @@ namespace Heddle
       if (find_couplings(tangent) || groups.empty())
         create();
       for (Group &group : groups)
+        factorize(tangent, group);
+    }
+
+
+
+    void
+    FiberBlocks::factorize(const System::LocalBlocks &tangent,
+                           Group                     &group) const
+    {
+      // A compressed fiber may be unstable on its own: shift until it is not.
+      std::array<double, n_lanes> grown  = {};
+      bool                        stable = false;
+      while (!stable)
         {
-          double *values = group.blocks->values();
-          std::fill(values, values + size * group.blocks->n_blocks(), 0.);
-          for_each_block(
-            tangent,
-            group.first_fiber,
-            group.end_fiber,
-            [&](const unsigned int row,
-                const unsigned int offset,
-                const double      *block) {
-              if (coupled[kind(row)][offset])
-                std::copy_n(
-                  block, size, values + size * position(group, row, offset));
-            });
-          factorize(group);
+          group.factors.clear();
+          for (unsigned int lane = 0; lane < n_lanes; ++lane)
+            {
+              unsigned int n_taken = 0;
+              if (lane < group.fibers.size())
+                {
+                  take(tangent, group.fibers[lane], grown[lane], lane, group);
+                  n_taken = n_rows(group.fibers[lane]);
+                }
+              for (unsigned int row = n_taken; row < group.structure->n_rows();
+                   ++row)
+                for (unsigned int d = 0; d < 3; ++d)
+                  group.factors.add(
+                    lane, group.structure->position(row, row), d, 1.);
+            }
+          group.factors.factorize();
+          stable = true;
+          for (unsigned int lane = 0; lane < n_lanes; ++lane)
+            if (!group.factors.is_positive_definite(lane))
+              {
+                AssertThrow(
+                  grown[lane] <= largest_growth,
+                  ExcMessage("The tangent of a fiber is not finite."));
+                grown[lane] = std::max(growth * grown[lane], 1.);
+                stable      = false;
+              }
         }
     }
 
 
 
     void
-    FiberBlocks::factorize(Group &group)
+    FiberBlocks::take(const System::LocalBlocks &tangent,
+                      const unsigned int         fiber,
+                      const double               grown,
+                      const unsigned int         lane,
+                      Group                     &group) const
     {
-      // A compressed fiber may be unstable on its own: shift until it is not.
-      for (double grown = 0.;;)
-        {
-          group.blocks->factorize();
-          const std::vector<unsigned int> unstable = find_unstable(group);
-          if (unstable.empty())
-            return;
-          AssertThrow(grown <= largest_growth,
-                      ExcMessage("The tangent of a fiber is not finite."));
-          const double next = std::max(growth * grown, 1.);
-          for (const unsigned int f : unstable)
-            shift(group, f, grown, next);
-          grown = next;
-        }
+      const unsigned int  first = state.held_blocks(fiber).first;
+      std::vector<double> largest(state.space.n_blocks_per_node(), 0.);
+      for_each_block(tangent,
+                     fiber,
+                     [&](const unsigned int row,
+                         const unsigned int offset,
+                         const double      *block) {
+                       if (!coupled[kind(row)][offset])
+                         return;
+                       const unsigned int r = row - first;
+                       group.factors.set_block(
+                         lane, group.structure->position(r, r + offset), block);
+                       if (offset == 0)
+                         for (unsigned int d = 0; d < 3; ++d)
+                           largest[kind(row)] = std::max(
+                             largest[kind(row)], std::abs(block[4 * d]));
+                     });
+      if (grown == 0.)
+        return;
+      for (unsigned int r = 0; r < n_rows(fiber); ++r)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const unsigned int of    = kind(first + r);
+            const double       shift = of == 0 ? first_shift : section_shift;
+            group.factors.add(lane,
+                              group.structure->position(r, r),
+                              d,
+                              shift * grown * largest[of]);
+          }
     }
 
 
 
-    PetscErrorCode
+    void
     FiberBlocks::apply(const double *residual, double *result) const
     {
-      PetscErrorCode code = 0;
       for (const Group &group : groups)
-        if (code == 0)
-          code = group.blocks->solve(residual + 3 * group.first_row,
-                                     result + 3 * group.first_row);
-      return code;
+        {
+          std::array<const double *, n_lanes> residuals = {};
+          std::array<double *, n_lanes>       results   = {};
+          std::array<unsigned int, n_lanes>   sizes     = {};
+          for (unsigned int lane = 0; lane < group.fibers.size(); ++lane)
+            {
+              const unsigned int f     = group.fibers[lane];
+              const unsigned int begin = 3 * state.held_blocks(f).first;
+              residuals[lane]          = residual + begin;
+              results[lane]            = result + begin;
+              sizes[lane]              = n_rows(f);
+            }
+          group.factors.solve(residuals, sizes, results);
+        }
     }
 
 
@@ -136,20 +183,16 @@ namespace Heddle
     template <typename Action>
     void
     FiberBlocks::for_each_block(const System::LocalBlocks &tangent,
-                                const unsigned int         first_fiber,
-                                const unsigned int         end_fiber,
+                                const unsigned int         fiber,
                                 const Action              &action) const
     {
-      for (unsigned int f = first_fiber; f < end_fiber; ++f)
-        {
-          const auto held = state.held_blocks(f);
-          for (unsigned int row = held.first; row < held.second; ++row)
-            tangent.for_each_of_upper_row(
-              row, [&](const unsigned int column, const double *block) {
-                if (column < held.second && column - row < n_offsets)
-                  action(row, column - row, block);
-              });
-        }
+      const auto held = state.held_blocks(fiber);
+      for (unsigned int row = held.first; row < held.second; ++row)
+        tangent.for_each_of_upper_row(
+          row, [&](const unsigned int column, const double *block) {
+            if (column < held.second && column - row < n_offsets)
+              action(row, column - row, block);
+          });
     }
 
 
@@ -159,18 +202,18 @@ namespace Heddle
     {
       bool       more  = false;
       const auto owned = state.space.owned_fibers();
-      for_each_block(tangent,
-                     owned.first,
-                     owned.second,
-                     [&](const unsigned int row,
-                         const unsigned int offset,
-                         const double      *block) {
-                       if (!coupled[kind(row)][offset] && !is_zero(block))
-                         {
-                           coupled[kind(row)][offset] = true;
-                           more                       = true;
-                         }
-                     });
+      for (unsigned int f = owned.first; f < owned.second; ++f)
+        for_each_block(tangent,
+                       f,
+                       [&](const unsigned int row,
+                           const unsigned int offset,
+                           const double      *block) {
+                         if (!coupled[kind(row)][offset] && !is_zero(block))
+                           {
+                             coupled[kind(row)][offset] = true;
+                             more                       = true;
+                           }
+                       });
       return more;
     }
 
@@ -180,101 +223,41 @@ namespace Heddle
     FiberBlocks::create()
     {
       groups.clear();
-      rank_of_offset.assign(coupled.size(),
-                            std::vector<unsigned int>(n_offsets + 1, 0));
-      for (unsigned int k = 0; k < coupled.size(); ++k)
-        for (unsigned int offset = 0; offset < n_offsets; ++offset)
-          rank_of_offset[k][offset + 1] =
-            rank_of_offset[k][offset] + (coupled[k][offset] ? 1 : 0);
+      const auto                owned = state.space.owned_fibers();
+      std::vector<unsigned int> fibers(owned.second - owned.first);
+      std::iota(fibers.begin(), fibers.end(), owned.first);
+      std::stable_sort(fibers.begin(),
+                       fibers.end(),
+                       [this](const unsigned int f, const unsigned int g) {
+                         return n_rows(f) < n_rows(g);
+                       });
 
-      row_begin.assign(1, 0);
-      const auto   owned = state.space.owned_fibers();
-      unsigned int first = owned.first;
-      for (unsigned int f = owned.first; f < owned.second; ++f)
+      std::shared_ptr<const FactorStructure> last;
+      for (auto first = fibers.begin(); first != fibers.end();)
         {
-          const unsigned int end = state.held_blocks(f).second;
-          if (end - state.held_blocks(first).first >= rows_of_group ||
-              f + 1 == owned.second)
-            {
-              add_group(first, f + 1);
-              first = f + 1;
-            }
+          const auto end =
+            first + std::min<std::ptrdiff_t>(n_lanes, fibers.end() - first);
+          const unsigned int longest = n_rows(*(end - 1));
+          if (!last || last->n_rows() != longest)
+            last = structure(longest);
+          groups.push_back({{first, end}, last, CholeskyLanes(last)});
+          first = end;
         }
     }
 
 
 
-    void
-    FiberBlocks::add_group(const unsigned int first_fiber,
-                           const unsigned int end_fiber)
+    std::shared_ptr<const FactorStructure>
+    FiberBlocks::structure(const unsigned int n_rows) const
     {
-      const unsigned int first_row = state.held_blocks(first_fiber).first;
-      std::vector<std::vector<PetscInt>> columns;
-      for (unsigned int f = first_fiber; f < end_fiber; ++f)
-        {
-          const auto held = state.held_blocks(f);
-          for (unsigned int row = held.first; row < held.second; ++row)
-            {
-              columns.emplace_back();
-              for (unsigned int column = row;
-                   column < std::min(held.second, row + n_offsets);
-                   ++column)
-                if (coupled[kind(row)][column - row])
-                  columns.back().push_back(column - first_row);
-              row_begin.push_back(row_begin.back() + columns.back().size());
-            }
-        }
-      groups.push_back({first_fiber,
-                        end_fiber,
-                        first_row,
-                        std::make_unique<CholeskyBlocks>(columns)});
-    }
-
-
-
-    void
-    FiberBlocks::shift(Group             &group,
-                       const unsigned int fiber,
-                       const double       before,
-                       const double       after)
-    {
-      double    *values            = group.blocks->values();
-      const auto held              = state.held_blocks(fiber);
-      const auto for_each_diagonal = [&](const auto &action) {
-        for (unsigned int row = held.first; row < held.second; ++row)
-          for (unsigned int d = 0; d < 3; ++d)
-            action(kind(row), values[size * position(group, row, 0) + 4 * d]);
-      };
-      std::vector<double> largest(state.space.n_blocks_per_node(), 0.);
-      for_each_diagonal([&](const unsigned int kind, const double value) {
-        largest[kind] = std::max(largest[kind], std::abs(value));
-      });
-
-      // What was added last is in the largest ones, too.
-      for_each_diagonal([&](const unsigned int kind, double &value) {
-        const double first = kind == 0 ? first_shift : section_shift;
-        value +=
-          first * (after - before) / (1. + first * before) * largest[kind];
-      });
-    }
-
-
-
-    std::vector<unsigned int>
-    FiberBlocks::find_unstable(const Group &group) const
-    {
-      std::vector<unsigned int> unstable;
-      for (unsigned int f = group.first_fiber; f < group.end_fiber; ++f)
-        {
-          const auto held = state.held_blocks(f);
-          for (unsigned int row = held.first; row < held.second; ++row)
-            if (!group.blocks->is_positive_definite(row - group.first_row))
-              {
-                unstable.push_back(f);
-                break;
-              }
-        }
-      return unstable;
+      std::vector<std::vector<unsigned int>> columns(n_rows);
+      for (unsigned int row = 0; row < n_rows; ++row)
+        for (unsigned int column = row;
+             column < std::min(n_rows, row + n_offsets);
+             ++column)
+          if (coupled[kind(row)][column - row])
+            columns[row].push_back(column);
+      return std::make_shared<const FactorStructure>(columns);
     }
   } // namespace Solver
 } // namespace Heddle

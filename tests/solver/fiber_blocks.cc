@@ -176,7 +176,7 @@ solve(const Solver::FiberBlocks &fibers,
   const unsigned int  begin = 3 * state.local_block(f);
   std::vector<double> whole(3 * state.n_owned_blocks()), found(whole.size());
   std::copy(right.begin(), right.end(), whole.begin() + begin);
-  petsc(fibers.apply(whole.data(), found.data()));
+  fibers.apply(whole.data(), found.data());
   Vector<double> answer(right.size());
   std::copy_n(found.begin() + begin, right.size(), answer.begin());
   return answer;
@@ -258,7 +258,7 @@ answer(const std::string &element, const unsigned int degree, const double mm)
   std::vector<double> right, found(3 * tangent.state->n_owned_blocks());
   for (unsigned int i = 0; i < found.size(); ++i)
     right.push_back(tangent.scale(i / 3));
-  petsc(fibers.apply(right.data(), found.data()));
+  fibers.apply(right.data(), found.data());
   for (unsigned int i = 0; i < found.size(); ++i)
     found[i] *= tangent.scale(i / 3);
   return found;

@@ -1,11 +1,10 @@
 #ifndef heddle_solver_fiber_blocks_h
 #define heddle_solver_fiber_blocks_h
 
-#include <heddle/solver/cholesky_blocks.h>
+#include <heddle/solver/cholesky_lanes.h>
 #include <heddle/system/local_blocks.h>
 #include <heddle/system/state.h>
 
-#include <memory>
 #include <vector>
 
 namespace Heddle
@@ -19,9 +18,8 @@ namespace Heddle
      * band holds the elasticity of the fiber and what contact and links to a
      * matrix add to it; coupling to other fibers and to the matrix is left out.
      *
-     * A few fibers at a time are one sparse matrix of blocks of three, without
-     * coupling between them: their factors fit into the cache, so that a
-     * solution reads them from memory once and not twice.
+     * Fibers of about as many nodes are factorized and solved side by side;
+     * that changes no digit of any.
      */
     class FiberBlocks
     {
@@ -36,49 +34,53 @@ namespace Heddle
       set_up(const System::LocalBlocks &tangent, const bool gentle = false);
 
       /** Solve for the right-hand side @p residual of the own fibers. */
-      PetscErrorCode
+      void
       apply(const double *residual, double *result) const;
 
     private:
-      /** Fibers that are factorized together. */
+      static constexpr unsigned int n_lanes = CholeskyLanes::n_lanes;
+
+      /** Fibers that are factorized together, in as many lanes. */
       struct Group
       {
-        unsigned int                    first_fiber, end_fiber, first_row;
-        std::unique_ptr<CholeskyBlocks> blocks;
+        std::vector<unsigned int>              fibers;
+        std::shared_ptr<const FactorStructure> structure;
+        CholeskyLanes                          factors;
       };
 
-      /** Call @p action(row, offset, values) for the blocks within bands. */
+      /** Call @p action(row, offset, values) for the blocks within a band. */
       template <typename Action>
       void
       for_each_block(const System::LocalBlocks &tangent,
-                     const unsigned int         first_fiber,
-                     const unsigned int         end_fiber,
+                     const unsigned int         fiber,
                      const Action              &action) const;
 
       /** Note which blocks a tangent couples; return whether there are more. */
       bool
       find_couplings(const System::LocalBlocks &tangent);
 
-      /** Make the groups and their matrices. */
+      /** Make the groups. */
       void
       create();
 
-      void
-      add_group(const unsigned int first_fiber, const unsigned int end_fiber);
+      /** Of a fiber with so many rows. */
+      std::shared_ptr<const FactorStructure>
+      structure(const unsigned int n_rows) const;
 
       /** Factorize @p group, with shifts if it must be. */
       void
-      factorize(Group &group);
+      factorize(const System::LocalBlocks &tangent, Group &group) const;
 
-      /** Position in its group of the block of @p row and row + @p offset. */
-      std::size_t
-      position(const Group       &group,
-               const unsigned int row,
-               const unsigned int offset) const
-      {
-        return row_begin[row] - row_begin[group.first_row] +
-               rank_of_offset[kind(row)][offset];
-      }
+      /**
+       * Take the matrix of @p fiber, with @p grown times the first shifts on
+       * its diagonal.
+       */
+      void
+      take(const System::LocalBlocks &tangent,
+           const unsigned int         fiber,
+           const double               grown,
+           const unsigned int         lane,
+           Group                     &group) const;
 
       /** Blocks of a node are of different kinds: position, section vectors. */
       unsigned int
@@ -87,19 +89,11 @@ namespace Heddle
         return row % state.space.n_blocks_per_node();
       }
 
-      /**
-       * Change what is added to the diagonal of a fiber from @p before to
-       * @p after times the first shifts.
-       */
-      void
-      shift(Group             &group,
-            const unsigned int fiber,
-            const double       before,
-            const double       after);
-
-      /** The fibers that are not positive definite as factorized last. */
-      std::vector<unsigned int>
-      find_unstable(const Group &group) const;
+      unsigned int
+      n_rows(const unsigned int fiber) const
+      {
+        return state.held_blocks(fiber).second - state.held_blocks(fiber).first;
+      }
 
       const System::State &state;
       double               section_shift; /**< the first one */
@@ -108,11 +102,7 @@ namespace Heddle
       /** Whether rows of a kind couple to the block so many further. */
       std::vector<std::vector<bool>> coupled;
 
-      /** The how manieth of those that it couples to. */
-      std::vector<std::vector<unsigned int>> rank_of_offset;
-
-      std::vector<std::size_t> row_begin;
-      std::vector<Group>       groups;
+      std::vector<Group> groups;
     };
   } // namespace Solver
 } // namespace Heddle
