@@ -8,13 +8,13 @@
 #include <deal.II/fe/fe_q.h>
 
 #include "../tests.h"
+#include "assemble_link.h"
 
 #include <array>
 #include <random>
 #include <string>
 #include <vector>
 
-using Vectors = std::vector<Tensor<1, 3>>;
 
 /** Element of the fiber, its degree and that of the matrix. */
 struct Kind
@@ -87,18 +87,7 @@ public:
            Vectors             &forces,
            std::vector<double> *tangent = nullptr) const
   {
-    // What is not written, or added to what is there, is seen.
-    std::vector<double> residual(3 * link.n, 7.);
-    if (tangent != nullptr)
-      tangent->assign(9 * link.n * link.n, 7.);
-    const double energy =
-      link.assemble(at.data(),
-                    residual.data(),
-                    tangent != nullptr ? tangent->data() : nullptr);
-    forces.resize(link.n);
-    for (unsigned int i = 0; i < residual.size(); ++i)
-      forces[i / 3][i % 3] = residual[i];
-    return energy;
+    return assemble_link(link, at, forces, tangent);
   }
 
   /** Distance of the particles of fiber and matrix. */

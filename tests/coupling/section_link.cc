@@ -8,6 +8,7 @@
 #include <deal.II/physics/transformations.h>
 
 #include "../tests.h"
+#include "assemble_link.h"
 
 #include <cmath>
 #include <random>
@@ -15,7 +16,6 @@
 #include <vector>
 
 using Heddle::Coupling::SectionLink;
-using Vectors = std::vector<Tensor<1, 3>>;
 
 const Tensor<1, 3> axis({2. / 3., -1. / 3., 2. / 3.});
 
@@ -64,18 +64,7 @@ struct SectionInCell
            Vectors             &forces,
            std::vector<double> *tangent = nullptr) const
   {
-    // What is not written, or added to what is there, is seen.
-    std::vector<double> residual(3 * link.n, 7.);
-    if (tangent != nullptr)
-      tangent->assign(9 * link.n * link.n, 7.);
-    const double energy =
-      link.assemble(at.data(),
-                    residual.data(),
-                    tangent != nullptr ? tangent->data() : nullptr);
-    forces.resize(link.n);
-    for (unsigned int i = 0; i < residual.size(); ++i)
-      forces[i / 3][i % 3] = residual[i];
-    return energy;
+    return assemble_link(link, at, forces, tangent);
   }
 
   SectionLink  link;

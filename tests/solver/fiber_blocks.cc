@@ -1,7 +1,7 @@
 // Each fiber is solved for exactly, whatever it is coupled to; also when
 // contact couples more of its nodes than before. A fiber that is unstable on
 // its own is made stable, and no other one changes; how does not depend on the
-// unit of length. Sixty fibers are factorized in three groups.
+// unit of length. Fibers of different lengths are factorized side by side.
 #include <heddle/base/choice.h>
 #include <heddle/base/petsc.h>
 #include <heddle/simulation/fiber_placement.h>
@@ -13,6 +13,7 @@
 #include <numeric>
 #include <random>
 
+/** Of the shortest fibers; others have one or two more. */
 constexpr unsigned int n_elements = 6;
 
 
@@ -30,16 +31,17 @@ public:
   {
     fibers.element_kind = Heddle::choice<Heddle::Beam::ElementKind>(element);
     fibers.degree       = degree;
-    fibers.elements_per_fiber = n_elements;
     std::vector<Textile::FiberPath> paths;
     for (unsigned int f = 0; f < n_fibers; ++f)
       {
         const Tensor<1, 3> begin({0., mm * f, 0.});
-        paths.push_back(straight_path(
-          begin,
-          begin + Tensor<1, 3>({6. * mm, 0., 0.}),
-          n_elements * (degree == 3 && element == "director" ? 3 : 1) + 1,
-          0.1 * mm));
+        paths.push_back(
+          straight_path(begin,
+                        begin + Tensor<1, 3>({6. * mm, 0., 0.}),
+                        (n_elements + f % 3) *
+                            (degree == 3 && element == "director" ? 3 : 1) +
+                          1,
+                        0.1 * mm));
       }
     build(paths);
     system = std::make_unique<System::BlockSystem>(*state);
@@ -144,8 +146,10 @@ private:
             action(std::vector<unsigned int>{
               begin, begin + next, begin + 2 * next, begin + 3 * next});
           }
-        for (unsigned int i = 0; i < space->fiber(f).n_nodes; ++i)
-          if (f + 1 < n_fibers)
+        if (f + 1 < n_fibers)
+          for (unsigned int i = 0; i < std::min(space->fiber(f).n_nodes,
+                                                space->fiber(f + 1).n_nodes);
+               ++i)
             action(std::vector<unsigned int>{
               first + n * i, first + space->n_blocks(f) + n * i});
       }

@@ -49,9 +49,9 @@ namespace Heddle
      * for, so that the force per length does not depend on the mesh of the
      * fiber.
      *
-     * Where the element has sections, the matrix holds these as well: it grips
-     * the surface of a fiber of radius R, so that a link of stiffness k resists
-     * its turning about its axis by @f$ k R^2 @f$ (Coupling::SectionLink).
+     * Points with a section link that, too: the matrix grips the surface of a
+     * fiber of radius R, so that a link of stiffness k resists its turning
+     * about its axis by @f$ k R^2 @f$ (Coupling::SectionLink).
      */
     class FiberMatrixCoupling : public System::Contribution
     {
