@@ -7,6 +7,16 @@ namespace Heddle
 {
   namespace Contributions
   {
+    bool
+    is_nothing(const std::array<std::string, 3> &components)
+    {
+      return std::all_of(components.begin(),
+                         components.end(),
+                         [](const std::string &text) { return text == "0"; });
+    }
+
+
+
     LoadParameters::LoadParameters(const std::string &section)
       : ParameterAcceptor(section)
     {
@@ -40,16 +50,6 @@ namespace Heddle
     {
       for (unsigned int d = 0; d < 3; ++d)
         add_parameter(name + ' ' + "xyz"[d], components[d], meaning);
-    }
-
-
-
-    bool
-    LoadParameters::has_moment() const
-    {
-      return std::any_of(moment.begin(),
-                         moment.end(),
-                         [](const std::string &text) { return text != "0"; });
     }
 
 

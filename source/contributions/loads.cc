@@ -16,16 +16,6 @@ namespace Heddle
   {
     namespace
     {
-      bool
-      is_nothing(const std::array<std::string, 3> &components)
-      {
-        return std::all_of(components.begin(),
-                           components.end(),
-                           [](const std::string &text) { return text == "0"; });
-      }
-
-
-
       std::array<Expression, 3>
       parse(const LoadParameters             &parameters,
             const std::string                &name,

@@ -53,7 +53,7 @@ namespace Heddle
 
     CholeskyLanes::CholeskyLanes(
       const std::shared_ptr<const FactorStructure> &structure)
-      : structure(structure)
+      : shared_structure(structure)
       , blocks(structure->n_blocks())
       , solution(structure->n_rows())
     {
@@ -119,11 +119,12 @@ namespace Heddle
     CholeskyLanes::factorize()
     {
       positive.fill(true);
-      const unsigned int *changed = structure->changed.data();
-      for (unsigned int row = 0; row < structure->n_rows(); ++row)
+      const unsigned int *changed = shared_structure->changed.data();
+      for (unsigned int row = 0; row < shared_structure->n_rows(); ++row)
         {
-          const unsigned int begin = structure->row_begin[row],
-                             n     = structure->row_begin[row + 1] - begin - 1;
+          const unsigned int begin = shared_structure->row_begin[row],
+                             n =
+                               shared_structure->row_begin[row + 1] - begin - 1;
           invert(blocks[begin]);
           const Numbers *const inverse = blocks[begin].values;
           Block *const         in_row  = blocks.data() + begin + 1;
@@ -157,7 +158,7 @@ namespace Heddle
                          const std::array<unsigned int, n_lanes>   &n_rows,
                          const std::array<double *, n_lanes> &results) const
     {
-      const unsigned int n = structure->n_rows();
+      const unsigned int n = shared_structure->n_rows();
       std::fill(solution.begin(), solution.end(), Triple());
       for (unsigned int lane = 0; lane < n_lanes; ++lane)
         if (results[lane])
@@ -165,8 +166,8 @@ namespace Heddle
             for (unsigned int d = 0; d < 3; ++d)
               solution[row].values[d][lane] = residuals[lane][3 * row + d];
 
-      const unsigned int *const columns   = structure->columns.data();
-      const unsigned int *const row_begin = structure->row_begin.data();
+      const unsigned int *const columns   = shared_structure->columns.data();
+      const unsigned int *const row_begin = shared_structure->row_begin.data();
       for (unsigned int row = 0; row < n; ++row)
         {
           const Numbers *const here = solution[row].values;

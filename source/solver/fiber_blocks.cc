@@ -96,11 +96,12 @@ namespace Heddle
                   take(tangent, group.fibers[lane], grown[lane], lane, group);
                   n_taken = n_rows(group.fibers[lane]);
                 }
-              for (unsigned int row = n_taken; row < group.structure->n_rows();
+              for (unsigned int row = n_taken;
+                   row < group.factors.structure().n_rows();
                    ++row)
                 for (unsigned int d = 0; d < 3; ++d)
                   group.factors.add(
-                    lane, group.structure->position(row, row), d, 1.);
+                    lane, group.factors.structure().position(row, row), d, 1.);
             }
           group.factors.factorize();
           stable = true;
@@ -127,21 +128,22 @@ namespace Heddle
     {
       const unsigned int  first = state.held_blocks(fiber).first;
       std::vector<double> largest(state.space.n_blocks_per_node(), 0.);
-      for_each_block(tangent,
-                     fiber,
-                     [&](const unsigned int row,
-                         const unsigned int offset,
-                         const double      *block) {
-                       if (!coupled[kind(row)][offset])
-                         return;
-                       const unsigned int r = row - first;
-                       group.factors.set_block(
-                         lane, group.structure->position(r, r + offset), block);
-                       if (offset == 0)
-                         for (unsigned int d = 0; d < 3; ++d)
-                           largest[kind(row)] = std::max(
-                             largest[kind(row)], std::abs(block[4 * d]));
-                     });
+      for_each_block(
+        tangent,
+        fiber,
+        [&](const unsigned int row,
+            const unsigned int offset,
+            const double      *block) {
+          if (!coupled[kind(row)][offset])
+            return;
+          const unsigned int r = row - first;
+          group.factors.set_block(
+            lane, group.factors.structure().position(r, r + offset), block);
+          if (offset == 0)
+            for (unsigned int d = 0; d < 3; ++d)
+              largest[kind(row)] =
+                std::max(largest[kind(row)], std::abs(block[4 * d]));
+        });
       if (grown == 0.)
         return;
       for (unsigned int r = 0; r < n_rows(fiber); ++r)
@@ -150,7 +152,7 @@ namespace Heddle
             const unsigned int of    = kind(first + r);
             const double       shift = of == 0 ? first_shift : section_shift;
             group.factors.add(lane,
-                              group.structure->position(r, r),
+                              group.factors.structure().position(r, r),
                               d,
                               shift * grown * largest[of]);
           }
@@ -240,7 +242,7 @@ namespace Heddle
           const unsigned int longest = n_rows(*(end - 1));
           if (!last || last->n_rows() != longest)
             last = structure(longest);
-          groups.push_back({{first, end}, last, CholeskyLanes(last)});
+          groups.push_back({{first, end}, CholeskyLanes(last)});
           first = end;
         }
     }

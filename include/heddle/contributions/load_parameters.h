@@ -17,6 +17,12 @@ namespace Heddle
   {
     using namespace dealii;
 
+    /** Whether all formulas are the default, 0. */
+    bool
+    is_nothing(const std::array<std::string, 3> &components);
+
+
+
     /** One load: on which nodes it acts, and its forces and moments. */
     class LoadParameters : public ParameterAcceptor
     {
@@ -29,7 +35,10 @@ namespace Heddle
       std::array<std::string, 3> force_per_length = {{"0", "0", "0"}};
 
       bool
-      has_moment() const;
+      has_moment() const
+      {
+        return !is_nothing(moment);
+      }
 
       /** Throw InputError if an entry is no formula. */
       void

@@ -65,6 +65,12 @@ namespace Heddle
 
       CholeskyLanes(const std::shared_ptr<const FactorStructure> &structure);
 
+      const FactorStructure &
+      structure() const
+      {
+        return *shared_structure;
+      }
+
       /** Begin anew, with matrices of zeros. */
       void
       clear();
@@ -122,7 +128,7 @@ namespace Heddle
       void
       invert(Block &block);
 
-      std::shared_ptr<const FactorStructure> structure;
+      std::shared_ptr<const FactorStructure> shared_structure;
 
       /** Of rows of U but for their diagonal, where the inverse of D is. */
       std::vector<Block>          blocks;

@@ -43,9 +43,8 @@ namespace Heddle
       /** Fibers that are factorized together, in as many lanes. */
       struct Group
       {
-        std::vector<unsigned int>              fibers;
-        std::shared_ptr<const FactorStructure> structure;
-        CholeskyLanes                          factors;
+        std::vector<unsigned int> fibers;
+        CholeskyLanes             factors;
       };
 
       /** Call @p action(row, offset, values) for the blocks within a band. */
