@@ -1,6 +1,8 @@
 #include <heddle/base/petsc.h>
 #include <heddle/solver/block_preconditioner.h>
 
+#include <deal.II/base/mpi.h>
+
 namespace Heddle
 {
   namespace Solver
@@ -23,6 +25,10 @@ namespace Heddle
     {
       const System::LocalBlocks blocks(system.tangent());
       fibers.set_up(blocks, gentle);
+      bands_suffice =
+        !system.couples_ranks() &&
+        Utilities::MPI::min(fibers.are_all() ? 1 : 0,
+                            system.state.space.communicator()) > 0;
       corrected = yarn_motions;
       if (corrected)
         yarns.set_up(system, blocks);

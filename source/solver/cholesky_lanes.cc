@@ -11,42 +11,49 @@ namespace Heddle
   {
     using namespace dealii;
 
-    FactorStructure::FactorStructure(
-      std::vector<std::vector<unsigned int>> columns_of_row)
+    namespace
     {
-      // Eliminating a row couples all that it is coupled to.
-      for (const std::vector<unsigned int> &row : columns_of_row)
-        for (auto a = row.begin() + 1; a < row.end(); ++a)
-          {
-            std::vector<unsigned int> more, &of_a = columns_of_row[*a];
-            std::set_union(
-              of_a.begin(), of_a.end(), a, row.end(), std::back_inserter(more));
-            of_a = more;
-          }
+      /** Eliminating a row couples all that it is coupled to. */
+      BlockStructure
+      eliminated_structure(const BlockStructure &matrix)
+      {
+        std::vector<std::vector<unsigned int>> columns(matrix.n_rows());
+        for (unsigned int row = 0; row < matrix.n_rows(); ++row)
+          columns[row].assign(matrix.columns.begin() + matrix.row_begin[row],
+                              matrix.columns.begin() +
+                                matrix.row_begin[row + 1]);
+        for (const std::vector<unsigned int> &row : columns)
+          for (auto a = row.begin() + 1; a < row.end(); ++a)
+            {
+              std::vector<unsigned int> more, &of_a = columns[*a];
+              std::set_union(of_a.begin(),
+                             of_a.end(),
+                             a,
+                             row.end(),
+                             std::back_inserter(more));
+              of_a = more;
+            }
+        return columns;
+      }
+    } // namespace
 
-      row_begin.push_back(0);
-      for (const std::vector<unsigned int> &row : columns_of_row)
-        {
-          columns.insert(columns.end(), row.begin(), row.end());
-          row_begin.push_back(columns.size());
-        }
-      for (const std::vector<unsigned int> &row : columns_of_row)
-        for (auto a = row.begin() + 1; a < row.end(); ++a)
-          for (auto b = a; b < row.end(); ++b)
-            changed.push_back(position(*a, *b));
-    }
 
 
-
-    unsigned int
-    FactorStructure::position(const unsigned int row,
-                              const unsigned int column) const
+    FactorStructure::FactorStructure(const BlockStructure &matrix)
+      : factors(eliminated_structure(matrix))
     {
-      const auto end = columns.begin() + row_begin[row + 1];
-      const auto found =
-        std::lower_bound(columns.begin() + row_begin[row], end, column);
-      Assert(found != end && *found == column, ExcInternalError());
-      return found - columns.begin();
+      for (unsigned int row = 0; row < matrix.n_rows(); ++row)
+        for (unsigned int k = matrix.row_begin[row];
+             k < matrix.row_begin[row + 1];
+             ++k)
+          of_matrix.push_back(factors.position(row, matrix.columns[k]));
+      for (unsigned int row = 0; row < factors.n_rows(); ++row)
+        for (unsigned int a = factors.row_begin[row] + 1;
+             a < factors.row_begin[row + 1];
+             ++a)
+          for (unsigned int b = a; b < factors.row_begin[row + 1]; ++b)
+            changed.push_back(
+              factors.position(factors.columns[a], factors.columns[b]));
     }
 
 
@@ -54,39 +61,32 @@ namespace Heddle
     CholeskyLanes::CholeskyLanes(
       const std::shared_ptr<const FactorStructure> &structure)
       : shared_structure(structure)
-      , blocks(structure->n_blocks())
-      , solution(structure->n_rows())
+      , blocks(structure->factors.n_blocks())
+      , solution(structure->factors.n_rows())
     {
     }
 
 
 
     void
-    CholeskyLanes::clear()
+    CholeskyLanes::take(const MatrixLanes &matrices)
     {
       std::fill(blocks.begin(), blocks.end(), Block());
-    }
-
-
-
-    void
-    CholeskyLanes::set_block(const unsigned int lane,
-                             const unsigned int position,
-                             const double      *block)
-    {
-      for (unsigned int k = 0; k < 9; ++k)
-        blocks[position].values[k][lane] = block[k];
+      const std::vector<Block> &taken = matrices.all_blocks();
+      for (unsigned int k = 0; k < taken.size(); ++k)
+        blocks[shared_structure->of_matrix[k]] = taken[k];
     }
 
 
 
     void
     CholeskyLanes::add(const unsigned int lane,
-                       const unsigned int position,
+                       const unsigned int row,
                        const unsigned int d,
                        const double       value)
     {
-      blocks[position].values[4 * d][lane] += value;
+      blocks[shared_structure->factors.row_begin[row]].values[4 * d][lane] +=
+        value;
     }
 
 
@@ -119,12 +119,12 @@ namespace Heddle
     CholeskyLanes::factorize()
     {
       positive.fill(true);
-      const unsigned int *changed = shared_structure->changed.data();
-      for (unsigned int row = 0; row < shared_structure->n_rows(); ++row)
+      const unsigned int   *changed = shared_structure->changed.data();
+      const BlockStructure &factors = shared_structure->factors;
+      for (unsigned int row = 0; row < factors.n_rows(); ++row)
         {
-          const unsigned int begin = shared_structure->row_begin[row],
-                             n =
-                               shared_structure->row_begin[row + 1] - begin - 1;
+          const unsigned int begin = factors.row_begin[row],
+                             n     = factors.row_begin[row + 1] - begin - 1;
           invert(blocks[begin]);
           const Numbers *const inverse = blocks[begin].values;
           Block *const         in_row  = blocks.data() + begin + 1;
@@ -154,20 +154,14 @@ namespace Heddle
 
 
     void
-    CholeskyLanes::solve(const std::array<const double *, n_lanes> &residuals,
-                         const std::array<unsigned int, n_lanes>   &n_rows,
+    CholeskyLanes::solve(const MatrixLanes::Vectors          &residuals,
                          const std::array<double *, n_lanes> &results) const
     {
-      const unsigned int n = shared_structure->n_rows();
-      std::fill(solution.begin(), solution.end(), Triple());
-      for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        if (results[lane])
-          for (unsigned int row = 0; row < n_rows[lane]; ++row)
-            for (unsigned int d = 0; d < 3; ++d)
-              solution[row].values[d][lane] = residuals[lane][3 * row + d];
-
-      const unsigned int *const columns   = shared_structure->columns.data();
-      const unsigned int *const row_begin = shared_structure->row_begin.data();
+      MatrixLanes::gather(residuals, solution);
+      const unsigned int        n         = solution.size();
+      const BlockStructure     &factors   = shared_structure->factors;
+      const unsigned int *const columns   = factors.columns.data();
+      const unsigned int *const row_begin = factors.row_begin.data();
       for (unsigned int row = 0; row < n; ++row)
         {
           const Numbers *const here = solution[row].values;
@@ -201,11 +195,7 @@ namespace Heddle
             here[i] = sums[i];
         }
 
-      for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        if (results[lane])
-          for (unsigned int row = 0; row < n_rows[lane]; ++row)
-            for (unsigned int d = 0; d < 3; ++d)
-              results[lane][3 * row + d] = solution[row].values[d][lane];
+      MatrixLanes::scatter(solution, residuals.n_rows, results);
     }
   } // namespace Solver
 } // namespace Heddle

@@ -73,36 +73,60 @@ namespace Heddle
       if (find_couplings(tangent) || groups.empty())
         create();
       for (Group &group : groups)
-        factorize(tangent, group);
+        {
+          take(tangent, group);
+          factorize(group);
+        }
     }
 
 
 
     void
-    FiberBlocks::factorize(const System::LocalBlocks &tangent,
-                           Group                     &group) const
+    FiberBlocks::take(const System::LocalBlocks &tangent, Group &group) const
+    {
+      const BlockStructure &structure = group.bands.structure();
+      const double          one[9]    = {1., 0., 0., 0., 1., 0., 0., 0., 1.};
+      group.bands.clear();
+      for (unsigned int lane = 0; lane < n_lanes; ++lane)
+        {
+          unsigned int n_taken = 0;
+          if (lane < group.fibers.size())
+            {
+              const unsigned int fiber = group.fibers[lane];
+              const unsigned int first = state.held_blocks(fiber).first;
+              n_taken                  = n_rows(fiber);
+              for_each_block(
+                tangent,
+                fiber,
+                [&](const unsigned int row,
+                    const unsigned int offset,
+                    const double      *block) {
+                  const unsigned int r = row - first;
+                  if (coupled[kind(row)][offset])
+                    group.bands.set_block(
+                      lane, structure.position(r, r + offset), block);
+                },
+                [](const double *) {});
+            }
+          for (unsigned int row = n_taken; row < structure.n_rows(); ++row)
+            group.bands.set_block(lane, structure.row_begin[row], one);
+        }
+    }
+
+
+
+    void
+    FiberBlocks::factorize(Group &group) const
     {
       // A compressed fiber may be unstable on its own: shift until it is not.
       std::array<double, n_lanes> grown  = {};
       bool                        stable = false;
       while (!stable)
         {
-          group.factors.clear();
+          group.factors.take(group.bands);
           for (unsigned int lane = 0; lane < n_lanes; ++lane)
-            {
-              unsigned int n_taken = 0;
-              if (lane < group.fibers.size())
-                {
-                  take(tangent, group.fibers[lane], grown[lane], lane, group);
-                  n_taken = n_rows(group.fibers[lane]);
-                }
-              for (unsigned int row = n_taken;
-                   row < group.factors.structure().n_rows();
-                   ++row)
-                for (unsigned int d = 0; d < 3; ++d)
-                  group.factors.add(
-                    lane, group.factors.structure().position(row, row), d, 1.);
-            }
+            if (grown[lane] > 0.)
+              shift(lane, grown[lane], group);
           group.factors.factorize();
           stable = true;
           for (unsigned int lane = 0; lane < n_lanes; ++lane)
@@ -120,41 +144,28 @@ namespace Heddle
 
 
     void
-    FiberBlocks::take(const System::LocalBlocks &tangent,
-                      const unsigned int         fiber,
-                      const double               grown,
-                      const unsigned int         lane,
-                      Group                     &group) const
+    FiberBlocks::shift(const unsigned int lane,
+                       const double       grown,
+                       Group             &group) const
     {
-      const unsigned int  first = state.held_blocks(fiber).first;
+      AssertThrow(lane < group.fibers.size(), ExcInternalError());
+      const unsigned int  n     = n_rows(group.fibers[lane]);
+      const unsigned int  first = state.held_blocks(group.fibers[lane]).first;
       std::vector<double> largest(state.space.n_blocks_per_node(), 0.);
-      for_each_block(
-        tangent,
-        fiber,
-        [&](const unsigned int row,
-            const unsigned int offset,
-            const double      *block) {
-          if (!coupled[kind(row)][offset])
-            return;
-          const unsigned int r = row - first;
-          group.factors.set_block(
-            lane, group.factors.structure().position(r, r + offset), block);
-          if (offset == 0)
-            for (unsigned int d = 0; d < 3; ++d)
-              largest[kind(row)] =
-                std::max(largest[kind(row)], std::abs(block[4 * d]));
-        });
-      if (grown == 0.)
-        return;
-      for (unsigned int r = 0; r < n_rows(fiber); ++r)
+      for (unsigned int r = 0; r < n; ++r)
+        for (unsigned int d = 0; d < 3; ++d)
+          largest[kind(first + r)] =
+            std::max(largest[kind(first + r)],
+                     std::abs(group.bands.diagonal(lane, r, d)));
+      for (unsigned int r = 0; r < n; ++r)
         for (unsigned int d = 0; d < 3; ++d)
           {
-            const unsigned int of    = kind(first + r);
-            const double       shift = of == 0 ? first_shift : section_shift;
+            const unsigned int of = kind(first + r);
             group.factors.add(lane,
-                              group.factors.structure().position(r, r),
+                              r,
                               d,
-                              shift * grown * largest[of]);
+                              (of == 0 ? first_shift : section_shift) * grown *
+                                largest[of]);
           }
     }
 
@@ -164,29 +175,52 @@ namespace Heddle
     FiberBlocks::apply(const double *residual, double *result) const
     {
       for (const Group &group : groups)
-        {
-          std::array<const double *, n_lanes> residuals = {};
-          std::array<double *, n_lanes>       results   = {};
-          std::array<unsigned int, n_lanes>   sizes     = {};
-          for (unsigned int lane = 0; lane < group.fibers.size(); ++lane)
-            {
-              const unsigned int f     = group.fibers[lane];
-              const unsigned int begin = 3 * state.held_blocks(f).first;
-              residuals[lane]          = residual + begin;
-              results[lane]            = result + begin;
-              sizes[lane]              = n_rows(f);
-            }
-          group.factors.solve(residuals, sizes, results);
-        }
+        group.factors.solve(parts(group, residual), results(group, result));
     }
 
 
 
-    template <typename Action>
+    void
+    FiberBlocks::multiply(const double *vector, double *product) const
+    {
+      for (const Group &group : groups)
+        group.bands.multiply(parts(group, vector), results(group, product));
+    }
+
+
+
+    MatrixLanes::Vectors
+    FiberBlocks::parts(const Group &group, const double *vector) const
+    {
+      MatrixLanes::Vectors found = {};
+      for (unsigned int lane = 0; lane < group.fibers.size(); ++lane)
+        {
+          const unsigned int fiber = group.fibers[lane];
+          found.begin[lane]  = vector + 3 * state.held_blocks(fiber).first;
+          found.n_rows[lane] = n_rows(fiber);
+        }
+      return found;
+    }
+
+
+
+    std::array<double *, FiberBlocks::n_lanes>
+    FiberBlocks::results(const Group &group, double *vector) const
+    {
+      std::array<double *, n_lanes> found = {};
+      for (unsigned int lane = 0; lane < group.fibers.size(); ++lane)
+        found[lane] = vector + 3 * state.held_blocks(group.fibers[lane]).first;
+      return found;
+    }
+
+
+
+    template <typename Action, typename OtherAction>
     void
     FiberBlocks::for_each_block(const System::LocalBlocks &tangent,
                                 const unsigned int         fiber,
-                                const Action              &action) const
+                                const Action              &action,
+                                const OtherAction         &others) const
     {
       const auto held = state.held_blocks(fiber);
       for (unsigned int row = held.first; row < held.second; ++row)
@@ -194,6 +228,8 @@ namespace Heddle
           row, [&](const unsigned int column, const double *block) {
             if (column < held.second && column - row < n_offsets)
               action(row, column - row, block);
+            else
+              others(block);
           });
     }
 
@@ -202,20 +238,25 @@ namespace Heddle
     bool
     FiberBlocks::find_couplings(const System::LocalBlocks &tangent)
     {
-      bool       more  = false;
+      bool more        = false;
+      no_others        = state.matrix() == nullptr;
       const auto owned = state.space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
-        for_each_block(tangent,
-                       f,
-                       [&](const unsigned int row,
-                           const unsigned int offset,
-                           const double      *block) {
-                         if (!coupled[kind(row)][offset] && !is_zero(block))
-                           {
-                             coupled[kind(row)][offset] = true;
-                             more                       = true;
-                           }
-                       });
+        for_each_block(
+          tangent,
+          f,
+          [&](const unsigned int row,
+              const unsigned int offset,
+              const double      *block) {
+            if (!coupled[kind(row)][offset] && !is_zero(block))
+              {
+                coupled[kind(row)][offset] = true;
+                more                       = true;
+              }
+          },
+          [&](const double *block) {
+            no_others = no_others && is_zero(block);
+          });
       return more;
     }
 
@@ -234,22 +275,27 @@ namespace Heddle
                          return n_rows(f) < n_rows(g);
                        });
 
-      std::shared_ptr<const FactorStructure> last;
+      std::shared_ptr<const BlockStructure>  of_bands;
+      std::shared_ptr<const FactorStructure> of_factors;
       for (auto first = fibers.begin(); first != fibers.end();)
         {
           const auto end =
             first + std::min<std::ptrdiff_t>(n_lanes, fibers.end() - first);
           const unsigned int longest = n_rows(*(end - 1));
-          if (!last || last->n_rows() != longest)
-            last = structure(longest);
-          groups.push_back({{first, end}, CholeskyLanes(last)});
+          if (!of_bands || of_bands->n_rows() != longest)
+            {
+              of_bands   = structure(longest);
+              of_factors = std::make_shared<const FactorStructure>(*of_bands);
+            }
+          groups.push_back(
+            {{first, end}, MatrixLanes(of_bands), CholeskyLanes(of_factors)});
           first = end;
         }
     }
 
 
 
-    std::shared_ptr<const FactorStructure>
+    std::shared_ptr<const BlockStructure>
     FiberBlocks::structure(const unsigned int n_rows) const
     {
       std::vector<std::vector<unsigned int>> columns(n_rows);
@@ -259,7 +305,7 @@ namespace Heddle
              ++column)
           if (coupled[kind(row)][column - row])
             columns[row].push_back(column);
-      return std::make_shared<const FactorStructure>(columns);
+      return std::make_shared<const BlockStructure>(columns);
     }
   } // namespace Solver
 } // namespace Heddle

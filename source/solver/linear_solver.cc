@@ -243,6 +243,7 @@ namespace Heddle
     LinearSolver::solve(const LinearTask &task)
     {
       LinearResult result;
+      multiply_with(nullptr);
       if (!parameters.direct(system.state.n_dofs(),
                              /*contact=*/!task.exactly,
                              /*matrix=*/system.state.matrix() != nullptr) &&
@@ -254,18 +255,30 @@ namespace Heddle
 
 
 
+    void
+    LinearSolver::multiply_with(const FiberBlocks *bands)
+    {
+      symmetric.set_bands(bands);
+      whole.set_bands(bands);
+    }
+
+
+
     bool
     LinearSolver::iterate(const LinearTask &task, LinearResult &result)
     {
       if (!iterating)
         begin_iterating();
       preconditioner->set_up(system, task.yarn_motions, gentle);
+      const FiberBlocks *bands = preconditioner->whole_matrix();
+      multiply_with(bands);
       const PetscInt most = task.exactly && !system.state.matrix()
                               ? std::min(most_by_themselves, max_iterations)
                               : max_iterations;
       petsc(KSPSetOperators(iterating,
-                            system.has_couplings_apart() ? symmetric.matrix()
-                                                         : system.tangent(),
+                            bands || system.has_couplings_apart()
+                              ? symmetric.matrix()
+                              : system.tangent(),
                             system.tangent()));
       const bool converged = run(
         iterating, std::min(task.looser * tolerance, loosest), most, result);

@@ -41,12 +41,14 @@ namespace Heddle
       const double    *input;
       double          *output;
       PetscErrorCode   code = MatShellGetContext(shell, &self);
-      code =
-        code != 0 ? code : MatMult(self->system.tangent(), vector, product);
+      if (code == 0 && !self->bands)
+        code = MatMult(self->system.tangent(), vector, product);
       code = code != 0 ? code : VecGetArrayRead(vector, &input);
       code = code != 0 ? code : VecGetArray(product, &output);
       if (code != 0)
         return code;
+      if (self->bands)
+        self->bands->multiply(input, output);
       self->system.add_product_of_terms(self->part, input, output);
       code = VecRestoreArray(product, &output);
       return code != 0 ? code : VecRestoreArrayRead(vector, &input);

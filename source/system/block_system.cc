@@ -14,6 +14,15 @@ namespace Heddle
   {
     namespace
     {
+      bool
+      on_any_rank(const State &state, const bool here)
+      {
+        return Utilities::MPI::max(here ? 1 : 0, state.space.communicator()) >
+               0;
+      }
+
+
+
       /**
        * What stands in the rows of prescribed components of owned blocks: E A
        * per element length of positions, times that length of other blocks of a
@@ -96,16 +105,22 @@ namespace Heddle
       ghost_version              = state.ghost_version();
 
       std::vector<PetscInt> row_begin(1, 0), columns;
-      const auto            blocks = pattern.columns();
+      const auto            blocks  = pattern.columns();
+      bool                  foreign = false;
       for (unsigned int row = 0; row < n_owned; ++row)
         {
           const auto begin = columns.size();
           for (const unsigned int block : blocks[row])
-            if (global_blocks[block] >= global_blocks[row])
-              columns.push_back(global_blocks[block]);
+            {
+              foreign = foreign || block >= n_owned;
+              if (global_blocks[block] >= global_blocks[row])
+                columns.push_back(global_blocks[block]);
+            }
           std::sort(columns.begin() + begin, columns.end());
           row_begin.push_back(columns.size());
         }
+
+      any_foreign = on_any_rank(state, foreign);
 
       own.reset();
       petsc(MatDestroy(&matrix));
@@ -285,12 +300,9 @@ namespace Heddle
       if (!wants_tangent())
         return;
 
-      const auto on_any_rank = [this](const bool here) {
-        return Utilities::MPI::max(here ? 1 : 0, state.space.communicator()) >
-               0;
-      };
-      any_unsymmetric = on_any_rank(!unsymmetric.empty());
-      any_couplings   = on_any_rank(!of_axes.empty() || !of_sections.empty());
+      any_unsymmetric = on_any_rank(state, !unsymmetric.empty());
+      any_couplings =
+        on_any_rank(state, !of_axes.empty() || !of_sections.empty());
       lift_terms();
       set_right_hand_side();
       for (unsigned int b = 0; b < state.n_owned_blocks(); ++b)

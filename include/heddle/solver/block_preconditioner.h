@@ -28,11 +28,22 @@ namespace Heddle
        * Take the blocks from @p system and prepare them, with or without the
        * correction of @p yarn_motions, with a @p gentle shift of fibers that
        * are unstable or not.
+       * @note Collective.
        */
       void
       set_up(const System::BlockSystem &system,
              const bool                 yarn_motions,
              const bool                 gentle);
+
+      /**
+       * The blocks of the fibers, if they are all that the matrix of the system
+       * has, on all ranks; else none.
+       */
+      const FiberBlocks *
+      whole_matrix() const
+      {
+        return bands_suffice ? &fibers : nullptr;
+      }
 
       /** Let @p pc apply this object. */
       void
@@ -45,7 +56,8 @@ namespace Heddle
       const unsigned int           n_fiber_dofs; /**< of this rank */
       FiberBlocks                  fibers;
       YarnMotions                  yarns;
-      bool                         corrected = false;
+      bool                         bands_suffice = false;
+      bool                         corrected     = false;
       std::unique_ptr<MatrixNodes> matrix;
     };
   } // namespace Solver

@@ -1,7 +1,7 @@
 #ifndef heddle_solver_cholesky_lanes_h
 #define heddle_solver_cholesky_lanes_h
 
-#include <heddle/base/lanes.h>
+#include <heddle/solver/matrix_lanes.h>
 
 #include <array>
 #include <memory>
@@ -11,37 +11,20 @@ namespace Heddle
 {
   namespace Solver
   {
-    /** Where a symmetric matrix of 3x3 blocks, and its factors, have blocks. */
+    /** Where the factors of symmetric matrices of 3x3 blocks have blocks. */
     class FactorStructure
     {
     public:
-      /**
-       * Row r of the matrix has blocks in columns[r], ascending, the diagonal
-       * first and none below it. Factors have more.
-       */
-      FactorStructure(std::vector<std::vector<unsigned int>> columns);
-
-      unsigned int
-      n_rows() const
-      {
-        return row_begin.size() - 1;
-      }
-
-      /** Number of blocks of the factors. */
-      unsigned int
-      n_blocks() const
-      {
-        return columns.size();
-      }
-
-      /** Number of a block that is there, row by row. */
-      unsigned int
-      position(const unsigned int row, const unsigned int column) const;
+      FactorStructure(const BlockStructure &matrix);
 
     private:
       friend class CholeskyLanes;
 
-      std::vector<unsigned int> row_begin, columns;
+      /** Rows of the matrix, and what couples as rows are eliminated. */
+      BlockStructure factors;
+
+      /** Numbers of the blocks of the matrix among those of the factors. */
+      std::vector<unsigned int> of_matrix;
 
       /**
        * Which blocks change as rows are eliminated, one after the other: those
@@ -61,30 +44,18 @@ namespace Heddle
     class CholeskyLanes
     {
     public:
-      static constexpr unsigned int n_lanes = 4;
+      static constexpr unsigned int n_lanes = MatrixLanes::n_lanes;
 
       CholeskyLanes(const std::shared_ptr<const FactorStructure> &structure);
 
-      const FactorStructure &
-      structure() const
-      {
-        return *shared_structure;
-      }
-
-      /** Begin anew, with matrices of zeros. */
+      /** Begin with the matrices @p matrices. */
       void
-      clear();
+      take(const MatrixLanes &matrices);
 
-      /** Set block number @p position, its columns one after the other. */
-      void
-      set_block(const unsigned int lane,
-                const unsigned int position,
-                const double      *block);
-
-      /** Add to component d, d of a block. */
+      /** Add to component d, d of the diagonal block of a row. */
       void
       add(const unsigned int lane,
-          const unsigned int position,
+          const unsigned int row,
           const unsigned int d,
           const double       value);
 
@@ -100,29 +71,17 @@ namespace Heddle
       }
 
       /**
-       * Solve for the right-hand sides @p residuals, one of each lane of which
-       * the first 3 @p n_rows components are not zero, and write as many to
+       * Solve for the right-hand sides @p residuals and write as many rows to
        * @p results. Lanes without a result are left out.
        */
       void
-      solve(const std::array<const double *, n_lanes> &residuals,
-            const std::array<unsigned int, n_lanes>   &n_rows,
-            const std::array<double *, n_lanes>       &results) const;
+      solve(const MatrixLanes::Vectors          &residuals,
+            const std::array<double *, n_lanes> &results) const;
 
     private:
-      using Numbers = Lanes<n_lanes>;
-
-      /** A block of each lane, its columns one after the other. */
-      struct Block
-      {
-        Numbers values[9];
-      };
-
-      /** Three numbers of each lane. */
-      struct Triple
-      {
-        Numbers values[3];
-      };
+      using Numbers = MatrixLanes::Numbers;
+      using Block   = MatrixLanes::Block;
+      using Triple  = MatrixLanes::Triple;
 
       /** Invert a diagonal block, and note where it is not definite. */
       void

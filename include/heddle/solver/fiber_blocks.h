@@ -18,8 +18,8 @@ namespace Heddle
      * band holds the elasticity of the fiber and what contact and links to a
      * matrix add to it; coupling to other fibers and to the matrix is left out.
      *
-     * Fibers of about as many nodes are factorized and solved side by side;
-     * that changes no digit of any.
+     * Fibers of about as many nodes are factorized, solved and multiplied with
+     * side by side; that changes no digit of any.
      */
     class FiberBlocks
     {
@@ -37,24 +37,43 @@ namespace Heddle
       void
       apply(const double *residual, double *result) const;
 
-    private:
-      static constexpr unsigned int n_lanes = CholeskyLanes::n_lanes;
+      /** Whether the tangent has nothing on this rank but these bands: ... */
+      bool
+      are_all() const
+      {
+        return no_others;
+      }
 
-      /** Fibers that are factorized together, in as many lanes. */
+      /** ... its product, of the own fibers, without any shift. */
+      void
+      multiply(const double *vector, double *product) const;
+
+    private:
+      static constexpr unsigned int n_lanes = MatrixLanes::n_lanes;
+
+      /** Fibers that are computed together, in as many lanes. */
       struct Group
       {
         std::vector<unsigned int> fibers;
+        MatrixLanes               bands;
         CholeskyLanes             factors;
       };
 
-      /** Call @p action(row, offset, values) for the blocks within a band. */
-      template <typename Action>
+      /**
+       * Call @p action(row, offset, values) for the blocks within the band of a
+       * fiber, and @p others(values) for others of its rows.
+       */
+      template <typename Action, typename OtherAction>
       void
       for_each_block(const System::LocalBlocks &tangent,
                      const unsigned int         fiber,
-                     const Action              &action) const;
+                     const Action              &action,
+                     const OtherAction         &others) const;
 
-      /** Note which blocks a tangent couples; return whether there are more. */
+      /**
+       * Note which blocks a tangent couples, and whether in bands only; return
+       * whether there are more than before.
+       */
       bool
       find_couplings(const System::LocalBlocks &tangent);
 
@@ -62,24 +81,33 @@ namespace Heddle
       void
       create();
 
-      /** Of a fiber with so many rows. */
-      std::shared_ptr<const FactorStructure>
+      /** Of the band of a fiber with so many rows. */
+      std::shared_ptr<const BlockStructure>
       structure(const unsigned int n_rows) const;
+
+      /** Take the bands of @p group; lanes and rows of no fiber are unit ones.
+       */
+      void
+      take(const System::LocalBlocks &tangent, Group &group) const;
 
       /** Factorize @p group, with shifts if it must be. */
       void
-      factorize(const System::LocalBlocks &tangent, Group &group) const;
+      factorize(Group &group) const;
 
       /**
-       * Take the matrix of @p fiber, with @p grown times the first shifts on
-       * its diagonal.
+       * Add to the diagonal of the fiber of a lane @p grown times the first
+       * shifts.
        */
       void
-      take(const System::LocalBlocks &tangent,
-           const unsigned int         fiber,
-           const double               grown,
-           const unsigned int         lane,
-           Group                     &group) const;
+      shift(const unsigned int lane, const double grown, Group &group) const;
+
+      /** Where the fibers of a group have their part of @p vector, ... */
+      MatrixLanes::Vectors
+      parts(const Group &group, const double *vector) const;
+
+      /** ... and that of @p vector that is to be written. */
+      std::array<double *, n_lanes>
+      results(const Group &group, double *vector) const;
 
       /** Blocks of a node are of different kinds: position, section vectors. */
       unsigned int
@@ -101,6 +129,7 @@ namespace Heddle
       /** Whether rows of a kind couple to the block so many further. */
       std::vector<std::vector<bool>> coupled;
 
+      bool               no_others = false;
       std::vector<Group> groups;
     };
   } // namespace Solver

@@ -156,6 +156,10 @@ namespace Heddle
       void
       begin_iterating();
 
+      /** Let products be those of the last blocks, or of the matrix. */
+      void
+      multiply_with(const FiberBlocks *bands);
+
       /** Return whether it converged. */
       bool
       iterate(const LinearTask &task, LinearResult &result);
@@ -182,7 +186,7 @@ namespace Heddle
 
       const LinearSolverParameters &parameters;
       const System::BlockSystem    &system;
-      const TangentOperator         symmetric, whole;
+      TangentOperator               symmetric, whole;
       KSP                           iterating   = nullptr;
       KSP                           improving   = nullptr;
       KSP                           factorizing = nullptr;

@@ -216,6 +216,13 @@ namespace Heddle
         return matrix;
       }
 
+      /** Whether blocks of different ranks have a place in the matrix. */
+      bool
+      couples_ranks() const
+      {
+        return any_foreign;
+      }
+
       /** Whether any rank has unsymmetric terms, ... */
       bool
       has_unsymmetric_terms() const
@@ -297,6 +304,7 @@ namespace Heddle
       SectionCouplings                  of_sections;
       bool                              any_unsymmetric = false;
       bool                              any_couplings   = false;
+      bool                              any_foreign     = false;
       mutable std::vector<Tensor<1, 3>> motion, raised; /**< by these terms */
 
       std::vector<Tensor<1, 3>> forces;
