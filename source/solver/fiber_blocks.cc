@@ -148,7 +148,7 @@ namespace Heddle
                        const double       grown,
                        Group             &group) const
     {
-      AssertThrow(lane < group.fibers.size(), ExcInternalError());
+      Assert(lane < group.fibers.size(), ExcInternalError());
       const unsigned int  n     = n_rows(group.fibers[lane]);
       const unsigned int  first = state.held_blocks(group.fibers[lane]).first;
       std::vector<double> largest(state.space.n_blocks_per_node(), 0.);
