@@ -157,9 +157,9 @@ check(const std::string &element, const bool apart, const bool constrained)
   deallog << element << (apart ? ", couplings apart" : ", all in the matrix")
           << (constrained ? ", constrained" : "") << ": blocks "
           << scene.local.size() << ", pairs stored " << n_stored_pairs(system)
-          << " of " << n_coupled_pairs(scene, system)
-          << ", known until ghosts change " << known << ", residual "
-          << (errors.residual < 1e-12) << ", unbalanced "
+          << " of " << n_coupled_pairs(scene, system) << ", couples ranks "
+          << system.couples_ranks() << ", known until ghosts change " << known
+          << ", residual " << (errors.residual < 1e-12) << ", unbalanced "
           << (errors.unbalanced < 1e-12) << ", right-hand side "
           << (errors.right_hand_side < 1e-12) << ", symmetric product "
           << (errors.symmetric < 1e-12) << ", whole " << (errors.whole < 1e-12)
