@@ -72,6 +72,7 @@ namespace Heddle
       section_shift = gentle ? gentle_section_shift : first_section_shift;
       if (find_couplings(tangent) || groups.empty())
         create();
+      unstable = false;
       for (Group &group : groups)
         {
           take(tangent, group);
@@ -116,7 +117,7 @@ namespace Heddle
 
 
     void
-    FiberBlocks::factorize(Group &group) const
+    FiberBlocks::factorize(Group &group)
     {
       // A compressed fiber may be unstable on its own: shift until it is not.
       std::array<double, n_lanes> grown  = {};
@@ -137,6 +138,7 @@ namespace Heddle
                   ExcMessage("The tangent of a fiber is not finite."));
                 grown[lane] = std::max(growth * grown[lane], 1.);
                 stable      = false;
+                unstable    = true;
               }
         }
     }

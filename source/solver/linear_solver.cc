@@ -286,6 +286,8 @@ namespace Heddle
       // fault.
       gentle = gentle || !(converged || result.indefinite);
       last   = iterating;
+      result.indefinite =
+        result.indefinite || (task.exactly && bands && has_unstable_fiber());
       if (!system.has_unsymmetric_terms())
         return converged;
       PC pc;
@@ -299,6 +301,16 @@ namespace Heddle
                  stricter * tolerance / std::max(good_enough, left),
                  max_improving_iterations,
                  result);
+    }
+
+
+
+    bool
+    LinearSolver::has_unstable_fiber() const
+    {
+      return !system.has_couplings_apart() &&
+             Utilities::MPI::max(preconditioner->has_unstable_fiber() ? 1 : 0,
+                                 system.state.space.communicator()) > 0;
     }
 
 

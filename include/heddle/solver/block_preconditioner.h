@@ -45,6 +45,13 @@ namespace Heddle
         return bands_suffice ? &fibers : nullptr;
       }
 
+      /** Whether a fiber of this rank is unstable by itself. */
+      bool
+      has_unstable_fiber() const
+      {
+        return fibers.has_unstable();
+      }
+
       /** Let @p pc apply this object. */
       void
       attach_to(PC pc);

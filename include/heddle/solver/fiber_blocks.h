@@ -37,6 +37,13 @@ namespace Heddle
       void
       apply(const double *residual, double *result) const;
 
+      /** Whether a fiber is unstable by itself. */
+      bool
+      has_unstable() const
+      {
+        return unstable;
+      }
+
       /** Whether the tangent has nothing on this rank but these bands: ... */
       bool
       are_all() const
@@ -92,7 +99,7 @@ namespace Heddle
 
       /** Factorize @p group, with shifts if it must be. */
       void
-      factorize(Group &group) const;
+      factorize(Group &group);
 
       /**
        * Add to the diagonal of the fiber of a lane @p grown times the first
@@ -130,6 +137,7 @@ namespace Heddle
       std::vector<std::vector<bool>> coupled;
 
       bool               no_others = false;
+      bool               unstable  = false;
       std::vector<Group> groups;
     };
   } // namespace Solver

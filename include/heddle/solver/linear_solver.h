@@ -164,6 +164,14 @@ namespace Heddle
       bool
       iterate(const LinearTask &task, LinearResult &result);
 
+      /**
+       * Whether the tangent, of fibers that nothing couples, is known not to be
+       * positive definite: conjugate gradients need not come upon it, as where
+       * a straight column has no force across.
+       */
+      bool
+      has_unstable_fiber() const;
+
       /** Return whether @p solver, as it is set up, converged. */
       bool
       run(KSP            solver,
