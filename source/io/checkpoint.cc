@@ -271,10 +271,7 @@ namespace Heddle
       state.load_factor = archive.read_number("position/load_factor");
 
       prepare(archive);
-      auto blocks = System::read_positions(archive, "fibers/blocks", state);
-      blocks.resize(state.n_local_blocks());
-      state.set(blocks);
-      state.update_ghosts();
+      state.set_owned(System::read_positions(archive, "fibers/blocks", state));
       state.accept();
 
       load(archive);

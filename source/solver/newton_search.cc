@@ -302,7 +302,8 @@ namespace Heddle
     NewtonSearch::begin_again(const std::string &reason)
     {
       log << "  " << reason << ": from the start, held back" << std::endl;
-      equations.state.set(start);
+      // Ghosts may have come and gone since.
+      equations.state.set_owned(start);
       for (const auto &contribution : equations.contributions)
         contribution->begin_step(equations.state);
       tools.damping.reset_alone();

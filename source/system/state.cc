@@ -211,6 +211,16 @@ namespace Heddle
 
 
     void
+    State::set_owned(const std::vector<Tensor<1, 3>> &values)
+    {
+      Assert(values.size() >= owned_blocks, ExcInternalError());
+      std::copy_n(values.begin(), owned_blocks, blocks.begin());
+      update_ghosts();
+    }
+
+
+
+    void
     State::update_ghosts()
     {
       update_ghosts(blocks);

@@ -95,6 +95,16 @@ print_checks(const System::State &state,
 
 
 
+/** Whether the configuration goes back to one of other ghosts. */
+bool
+returns(System::State &state, const Vectors &before, const Vectors &expected)
+{
+  state.set_owned(before);
+  return everywhere(state.current() == expected);
+}
+
+
+
 /**
  * Ghosts change while the configuration differs from the accepted one: both are
  * fetched, and what is rejected goes back.
@@ -112,7 +122,8 @@ ghosts()
         for (unsigned int call = 0; call < 3; ++call)
           {
             const unsigned int version = state.ghost_version();
-            state.set(values_of_blocks(state));
+            const Vectors      before  = values_of_blocks(state);
+            state.set(before);
             state.accept();
             state.move(0.5, values_of_blocks(state));
             const Pieces pieces = random_pieces(*space, generator);
@@ -129,7 +140,8 @@ ghosts()
             deallog << ", moved " << everywhere(moved) << ", accepted "
                     << everywhere(accepted) << ", rejected "
                     << everywhere(rejected) << ", corrected "
-                    << everywhere(corrects_ghosts(state))
+                    << everywhere(corrects_ghosts(state)) << ", returned "
+                    << returns(state, scaled(before, 2.), scaled(expected, 2.))
                     << ", another version "
                     << everywhere(state.ghost_version() > version) << std::endl;
           }

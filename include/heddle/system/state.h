@@ -224,8 +224,17 @@ namespace Heddle
       void
       set(const std::vector<Tensor<1, 3>> &values)
       {
+        AssertDimension(values.size(), blocks.size());
         blocks = values;
       }
+
+      /**
+       * The same with the first of @p values, those of the owned blocks:
+       * ghosts, which may be others by now, are fetched.
+       * @note Collective.
+       */
+      void
+      set_owned(const std::vector<Tensor<1, 3>> &values);
 
       /** Keep the current configuration; return to the one kept. */
       void
