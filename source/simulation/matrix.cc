@@ -354,14 +354,16 @@ namespace Heddle
         {
           add_cell(point.cell);
           if (!state.space.owns(point.fiber))
-            for (const unsigned int block : point.particle.blocks)
-              {
-                const unsigned int i = block / state.space.n_blocks_per_node();
-                System::NodeRange &range =
-                  fibers.insert({point.fiber, {i, i + 1}}).first->second;
-                range.begin = std::min(range.begin, i);
-                range.end   = std::max(range.end, i + 1);
-              }
+            for (unsigned int k = 0; k < point.particle.blocks.size(); ++k)
+              if (point.particle.values[k] != 0.)
+                {
+                  const unsigned int i =
+                    point.particle.blocks[k] / state.space.n_blocks_per_node();
+                  System::NodeRange &range =
+                    fibers.insert({point.fiber, {i, i + 1}}).first->second;
+                  range.begin = std::min(range.begin, i);
+                  range.end   = std::max(range.end, i + 1);
+                }
         }
       std::vector<System::GhostFiber> linked;
       for (const auto &piece : fibers)
