@@ -186,6 +186,8 @@ namespace Heddle
     void
     Computation::begin_stage(const Stage &stage)
     {
+      place.tries = {};
+      newton.begin_stage();
       if (stage.begins_initially)
         recorder.return_to_initial_configuration();
       System::State &state = scene.state();
@@ -222,10 +224,9 @@ namespace Heddle
     void
     Computation::run_stage()
     {
-      const Stage          &stage   = scene.stages()[place.stage];
-      Solver::LoadStepping &steps   = *stepping[place.stage];
-      unsigned int          n_jumps = 0;
-      n_unstable_steps              = 0;
+      const Stage          &stage = scene.stages()[place.stage];
+      Solver::LoadStepping &steps = *stepping[place.stage];
+      Recorder::Tries      &tries = place.tries;
       while (!steps.finished())
         {
           Solver::NewtonResult result = try_step(stage);
@@ -240,18 +241,19 @@ namespace Heddle
           // In a matrix what is not stable is not left for what is. It may be
           // that only the step was too long to follow where it bends.
           if (result.converged && result.unstable && scene.matrix() &&
-              n_unstable_steps == 0 && n_jumps < most_jumps && steps.cut_back())
+              tries.n_unstable == 0 && tries.n_jumps < most_jumps &&
+              steps.cut_back())
             {
-              ++n_jumps;
+              ++tries.n_jumps;
               reject(stage);
               log << "  not stable, as it was until now: the step is halved"
                   << std::endl;
               continue;
             }
-          n_jumps = 0;
+          tries.n_jumps = 0;
           if (result.converged)
             {
-              limits.max_iterations = parameters.newton.max_iterations;
+              tries.takes_longest = false;
               steps.accept(result.iterations);
               accept(stage, result);
             }
@@ -266,9 +268,10 @@ namespace Heddle
     void
     Computation::end_stage(const Stage &stage)
     {
-      if (n_unstable_steps > 0)
-        log << "Note           " << n_unstable_steps
-            << (n_unstable_steps == 1 ? " step" : " steps") << " of stage "
+      const unsigned int n_unstable = place.tries.n_unstable;
+      if (n_unstable > 0)
+        log << "Note           " << n_unstable
+            << (n_unstable == 1 ? " step" : " steps") << " of stage "
             << stage.name
             << " ended in an equilibrium that is not stable: a small "
                "disturbance, such as a force across, leads to another one"
@@ -336,9 +339,7 @@ namespace Heddle
       const std::string why =
         result.obstacle + (hint.empty() ? "" : "; " + hint);
       reject(stage);
-      const bool was_last =
-        limits.max_iterations > parameters.newton.max_iterations;
-      if (!was_last && steps.cut_back())
+      if (!place.tries.takes_longest && steps.cut_back())
         {
           log << "  not converged: " << why << "; the step is halved"
               << std::endl;
@@ -349,10 +350,10 @@ namespace Heddle
       // go along it for longer.
       if (result.used_up && limits.max_iterations < limits.most_iterations)
         {
-          limits.max_iterations = limits.most_iterations;
+          place.tries.takes_longest = true;
           steps.restore();
           log << "  not converged: " << why << "; the whole step gets "
-              << limits.max_iterations << " iterations" << std::endl;
+              << limits.most_iterations << " iterations" << std::endl;
           return;
         }
       const std::string advice =
@@ -371,8 +372,11 @@ namespace Heddle
     Solver::NewtonResult
     Computation::try_step(const Stage &stage)
     {
-      System::State &state = scene.state();
-      state.load_factor    = stepping[place.stage]->next();
+      System::State &state  = scene.state();
+      state.load_factor     = stepping[place.stage]->next();
+      limits.max_iterations = place.tries.takes_longest
+                                ? limits.most_iterations
+                                : parameters.newton.max_iterations;
       if (state.load_factor > 0.)
         ++state.step;
       log << "Stage " << stage.name << ", step " << state.step
@@ -459,7 +463,7 @@ namespace Heddle
       if (result.unstable)
         {
           log << "; not stable";
-          ++n_unstable_steps;
+          ++place.tries.n_unstable;
         }
       log << std::endl;
       recorder.add_step(place, result);

@@ -143,6 +143,9 @@ namespace Heddle
         place.stepping = stepping[place.stage].get();
         stepping[place.stage]->load(archive);
         place.predictor.load(archive, scene.state());
+        place.tries.n_unstable    = archive.read_number("tries/unstable");
+        place.tries.n_jumps       = archive.read_number("tries/jumps");
+        place.tries.takes_longest = archive.read_number("tries/longest") > 0.;
         balance.load(archive);
         deepest.load(archive, "deepest indentation");
         for (const auto &contribution : stages[place.stage].contributions)
@@ -257,6 +260,9 @@ namespace Heddle
         scene.matrix()->save(archive, scene.state());
       place.stepping->save(archive);
       place.predictor.save(archive, scene.state());
+      archive.write_number("tries/unstable", place.tries.n_unstable);
+      archive.write_number("tries/jumps", place.tries.n_jumps);
+      archive.write_number("tries/longest", place.tries.takes_longest);
       balance.save(archive);
       deepest.save(archive, "deepest indentation");
       for (const auto &contribution : scene.stages()[place.stage].contributions)

@@ -103,6 +103,7 @@ namespace Heddle
       const unsigned int n_owned = state.n_owned_blocks();
       global_blocks              = state.global_blocks();
       ghost_version              = state.ghost_version();
+      is_of_others               = false;
 
       std::vector<PetscInt> row_begin(1, 0), columns;
       const auto            blocks  = pattern.columns();

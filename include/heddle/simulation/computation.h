@@ -116,8 +116,7 @@ namespace Heddle
       Recorder::Place                                    place;
       double                                             stage_began    = 0.;
       double                                             stage_began_at = 0.;
-      unsigned int n_unstable_steps = 0; /**< of the stage */
-      bool         bend_is_told     = false;
+      bool                                               bend_is_told   = false;
     };
   } // namespace Simulation
 } // namespace Heddle

@@ -38,6 +38,19 @@ namespace Heddle
       /** Where the fibers are at the end of a stage, in the folder. */
       static constexpr const char *centerlines = "centerlines.csv";
 
+      /** What the steps of a stage have met that bears on those to come. */
+      struct Tries
+      {
+        /** Steps that ended in an equilibrium that is not stable. */
+        unsigned int n_unstable = 0;
+
+        /** How often in a row the next one was halved lest it end so. */
+        unsigned int n_jumps = 0;
+
+        /** Whether it gets as many iterations as any search may take. */
+        bool takes_longest = false;
+      };
+
       /** Where the run stands. */
       struct Place
       {
@@ -45,6 +58,7 @@ namespace Heddle
         unsigned int                number   = 0; /**< step, over all stages */
         const Solver::LoadStepping *stepping = nullptr;
         Solver::Predictor           predictor;
+        Tries                       tries;
 
         /** Where the last step that came to equilibrium has led. */
         Post::CrossingCount crossings;

@@ -32,6 +32,14 @@ namespace Heddle
              SectionTimer                 &timer,
              StopRequest                  &stop);
 
+      /** From now on contributions are others, and so is the pattern. */
+      void
+      begin_stage()
+      {
+        if (tools)
+          tools->system.forget_pattern();
+      }
+
       /**
        * Bring @p state to equilibrium, or as far as @p aim says. A @p guess of
        * the motion of the owned blocks to that equilibrium is followed first.

@@ -78,7 +78,15 @@ namespace Heddle
       bool
       has_pattern() const
       {
-        return matrix != nullptr && ghost_version == state.ghost_version();
+        return matrix != nullptr && !is_of_others &&
+               ghost_version == state.ghost_version();
+      }
+
+      /** From now on there is none: others will add to the tangent. */
+      void
+      forget_pattern()
+      {
+        is_of_others = true;
       }
 
       /** Prescribe these motions, and no others. */
@@ -297,7 +305,8 @@ namespace Heddle
                   std::vector<Tensor<1, 3>>       &sum) const;
 
       const bool couplings_apart;
-      Want       want = Want::residual;
+      bool       is_of_others = false; /**< the pattern */
+      Want       want         = Want::residual;
 
       UnsymmetricTerms                  unsymmetric;
       AxisCouplings                     of_axes;
