@@ -149,17 +149,19 @@ namespace Heddle
       // What came after the checkpoint is not listed any more.
       if (place.number > 0)
         history.write();
-      // Those of a run that has ended are of its results.
-      if (!has_ended(place))
-        write_parameters();
       open_outputs(place.number == 0 ? 0 : place.number + 1);
       if (place.number == 0)
         write_pictures(place, "start");
-      // What is written at the end of a stage is in no checkpoint.
-      if (place.stepping->finished())
+      if (!has_ended(place))
         {
-          measure_yarns();
-          write_centerlines();
+          write_parameters();
+          // What is written at the end of a stage is in no checkpoint, and
+          // there may be that of a later one.
+          if (place.stepping->finished())
+            {
+              measure_yarns();
+              write_centerlines();
+            }
         }
       write_summary();
     }
@@ -176,9 +178,8 @@ namespace Heddle
       if (given_configuration.empty() ||
           !files::equivalent(own, given_configuration, none_there))
         files::remove(own);
-      for (const std::string name :
-           {"history.csv", "yarns.csv", "orientation.csv", centerlines})
-        files::remove(directory + "/" + name);
+      for (const std::string table : tables)
+        files::remove(directory + "/" + table);
       for (const std::string name :
            {"fibers", "contacts", "plates", "matrix", "coupling"})
         IO::Collection::remove(directory, name);

@@ -69,11 +69,14 @@ namespace Heddle
                         const std::string &directory,
                         const MPI_Comm     communicator)
       {
-        const std::string own = directory + "/" + Recorder::centerlines;
-        require(!are_one(own, given, communicator),
-                "Centerlines/File is \"" + own +
-                  "\", where this run leaves its own; give it another name, "
-                  "or write to another folder.");
+        for (const std::string table : Recorder::tables)
+          {
+            const std::string own = directory + "/" + table;
+            require(!are_one(own, given, communicator),
+                    "Centerlines/File is \"" + own +
+                      "\", where this run leaves its own; give it another "
+                      "name, or write to another folder.");
+          }
       }
 
 

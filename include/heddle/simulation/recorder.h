@@ -15,6 +15,7 @@
 #include <heddle/simulation/scene.h>
 #include <heddle/solver/predictor.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -37,6 +38,10 @@ namespace Heddle
 
       /** Where the fibers are at the end of a stage, in the folder. */
       static constexpr const char *centerlines = "centerlines.csv";
+
+      /** Tables of results in the folder, which a new run removes. */
+      static constexpr std::array<const char *, 4> tables = {
+        {"history.csv", "yarns.csv", "orientation.csv", centerlines}};
 
       /** What the steps of a stage have met that bears on those to come. */
       struct Tries
