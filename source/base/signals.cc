@@ -35,6 +35,13 @@ namespace Heddle
     : communicator(communicator)
     , start(std::chrono::steady_clock::now())
   {
+  }
+
+
+
+  void
+  StopRequest::catch_signals()
+  {
     internal::StopRequest::last_signal = 0;
     for (const int signal : internal::StopRequest::signals)
       {
@@ -55,6 +62,7 @@ namespace Heddle
 
   StopRequest::~StopRequest()
   {
+    // None, unless they were caught.
     for (unsigned int i = 0; i < previous.size(); ++i)
       sigaction(internal::StopRequest::signals[i], &previous[i], nullptr);
   }

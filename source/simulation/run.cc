@@ -143,6 +143,9 @@ namespace Heddle
       SectionTimer timer;
       StopRequest  stop(communicator);
       stop.set_limit(parameters.run.wall_time_limit);
+      // What is validated leaves nothing behind, and has nowhere to stop.
+      if (command_line.task != CommandLine::Task::validate)
+        stop.catch_signals();
       print_banner(log, communicator);
       parameters.check(file);
       for (const std::string &sentence : inactive_parameters(file))

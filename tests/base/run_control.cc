@@ -126,7 +126,8 @@ stop_requests()
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1})
     {
       Heddle::StopRequest stop(MPI_COMM_WORLD);
-      const bool          before = stop.received();
+      stop.catch_signals();
+      const bool before = stop.received();
       if (rank == last)
         std::raise(signal);
       const bool after = stop.received();
@@ -136,6 +137,7 @@ stop_requests()
 
   std::signal(SIGHUP, SIG_IGN);
   Heddle::StopRequest stop(MPI_COMM_WORLD);
+  stop.catch_signals();
   std::raise(SIGHUP);
   deallog << stop.received() << ": " << stop.reason() << std::endl;
   stop.set_limit(0.05);

@@ -21,8 +21,12 @@ namespace Heddle
   class StopRequest
   {
   public:
-    /** Catch signals from now on. There is one such object at a time. */
+    /** There is one such object at a time. */
     StopRequest(const MPI_Comm communicator);
+
+    /** Signals are requests from now on, and do not end the program. */
+    void
+    catch_signals();
 
     /** Signals do again what they did before. */
     ~StopRequest();
