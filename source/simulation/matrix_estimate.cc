@@ -2,10 +2,28 @@
 #include <heddle/simulation/matrix_estimate.h>
 #include <heddle/textile/matrix_mesh.h>
 
+#include <deal.II/base/bounding_box.h>
+
 namespace Heddle
 {
   namespace Simulation
   {
+    namespace
+    {
+      /** Whether there is a place in both that hold all of these. */
+      bool
+      has_any_within(const Textile::MatrixMesh       &mesh,
+                     const std::vector<Tensor<1, 3>> &nodes)
+      {
+        const BoundingBox<3> of_fibers(
+          std::vector<Point<3>>(nodes.begin(), nodes.end()));
+        return of_fibers.get_neighbor_type(BoundingBox<3>(mesh.vertices())) !=
+               NeighborType::not_neighbors;
+      }
+    } // namespace
+
+
+
     MatrixEstimate::MatrixEstimate(const MatrixParameters &parameters,
                                    const std::vector<Textile::FiberPath> &paths)
     {
@@ -20,6 +38,9 @@ namespace Heddle
         {
           const Textile::MatrixMesh mesh(
             parameters.mesh.description(), axes, nodes);
+          require(has_any_within(mesh, nodes),
+                  "Matrix: the block lies beside all fibers; choose other "
+                  "corners.");
           n_cells = mesh.cells().size();
           n_nodes = mesh.vertices().size();
 

@@ -153,7 +153,7 @@ namespace Heddle
       print_matrix(Log &log, const MatrixEstimate &matrix)
       {
         if (!matrix.objection.empty())
-          log << "Matrix         not known where the fibers start: "
+          log << "Note           the matrix is not known where fibers start: "
               << matrix.objection << '\n';
         else
           log << "Matrix         about " << std::lround(matrix.n_cells)
