@@ -3,6 +3,7 @@
 #include <heddle/base/file.h>
 #include <heddle/base/parameter_file.h>
 #include <heddle/base/settings.h>
+#include <heddle/base/text_lines.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -251,11 +252,15 @@ namespace Heddle
     std::string        physical_line;
     std::string        line;
 
-    for (unsigned int number = 1; std::getline(in, physical_line); ++number)
+    for (unsigned int number = 1; take_line(in, physical_line); ++number)
       {
+        const std::string where = file + ":" + std::to_string(number);
         // A comment ends with its line, a statement only without a backslash.
-        line +=
-          Utilities::trim(physical_line.substr(0, physical_line.find('#')));
+        physical_line = physical_line.substr(0, physical_line.find('#'));
+        const std::string fault = no_text(physical_line);
+        require(fault.empty(),
+                where + ": " + fault + "; save the file in UTF-8.");
+        line += Utilities::trim(physical_line);
         if (line.empty())
           continue;
         if (line.back() == '\\')
@@ -263,7 +268,7 @@ namespace Heddle
             line.back() = ' ';
             continue;
           }
-        read_statement(line, file + ":" + std::to_string(number), depth);
+        read_statement(line, where, depth);
         line.clear();
       }
 
