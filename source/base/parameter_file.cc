@@ -83,6 +83,8 @@ namespace Heddle
   void
   ParameterFile::set(const std::string &assignment)
   {
+    const std::string fault = no_text(assignment);
+    require(fault.empty(), "--set: " + fault + "; give it in UTF-8.");
     const std::string where  = "--set \"" + assignment + "\"";
     const auto        equals = assignment.find('=');
     require(equals != std::string::npos,
@@ -256,11 +258,12 @@ namespace Heddle
       {
         const std::string where = file + ":" + std::to_string(number);
         // A comment ends with its line, a statement only without a backslash.
-        physical_line = physical_line.substr(0, physical_line.find('#'));
+        physical_line =
+          Utilities::trim(physical_line.substr(0, physical_line.find('#')));
         const std::string fault = no_text(physical_line);
         require(fault.empty(),
                 where + ": " + fault + "; save the file in UTF-8.");
-        line += Utilities::trim(physical_line);
+        line += physical_line;
         if (line.empty())
           continue;
         if (line.back() == '\\')

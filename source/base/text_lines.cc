@@ -1,7 +1,22 @@
 #include <heddle/base/text_lines.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
 namespace Heddle
 {
+  namespace
+  {
+    bool
+    is_ascii(const unsigned char letter)
+    {
+      return letter < 128;
+    }
+  } // namespace
+
+
+
   bool
   take_line(std::istream &input, std::string &line)
   {
@@ -26,6 +41,15 @@ namespace Heddle
     if (line.find('\0') != std::string::npos || start == "\xFF\xFE" ||
         start == "\xFE\xFF")
       return "there are bytes of no text, as in UTF-16 or in a spreadsheet";
-    return "";
+    if (std::all_of(line.begin(), line.end(), is_ascii))
+      return "";
+    // As summary.json would have it, if it could be written.
+    using Json             = nlohmann::json;
+    const Json        text = line;
+    const std::string shown =
+      text.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return shown == text.dump(-1, ' ', false, Json::error_handler_t::ignore)
+             ? ""
+             : shown + " is not in UTF-8";
   }
 } // namespace Heddle
