@@ -82,6 +82,19 @@ namespace Heddle
 
 
 
+      std::string
+      set_of_fiber(const CsvTable &table)
+      {
+        const std::string set = word_of_fiber(table, "set");
+        if (set == "none")
+          table.fail("the set is named 'none', by which parameters choose no "
+                     "fibers; leave the entry empty, or give the set another "
+                     "name.");
+        return set;
+      }
+
+
+
       /** Refuse that @p fiber is of another @p kind here than it was before. */
       void
       check_same(const CsvTable    &table,
@@ -112,7 +125,7 @@ namespace Heddle
         if (fiber.points.empty())
           {
             fiber.name       = table.text("fiber");
-            fiber.set        = word_of_fiber(table, "set");
+            fiber.set        = set_of_fiber(table);
             fiber.yarn       = word_of_fiber(table, "yarn");
             fiber.first_line = table.line();
           }
