@@ -210,6 +210,49 @@ namespace Heddle
 
 
 
+      /** What results of yarns of @p set and others would both be called, of
+       * those that are named after @p sets; nothing if all names are apart. */
+      std::string
+      shared_result(const std::string                             &set,
+                    const std::map<std::string, const RawFiber *> &sets)
+      {
+        if (set == "all")
+          return "all";
+        if (set == "fiber")
+          return "fiber_volume_fraction";
+        // The crimp of "a_inner" and the inner crimp of "a".
+        for (const auto &other : sets)
+          if (set == (other.first.empty() ? "" : other.first + "_") + "inner")
+            return set + "_crimp";
+        return "";
+      }
+
+
+
+      /** Results of yarns are named after their sets: refuse names by which one
+       * would hide another. */
+      void
+      check_results(const std::vector<RawFiber> &fibers,
+                    const std::string           &name)
+      {
+        std::map<std::string, const RawFiber *> sets;
+        for (const RawFiber &fiber : fibers)
+          if (!fiber.yarn.empty())
+            sets.emplace(fiber.set, &fiber);
+        for (const auto &[set, first] : sets)
+          {
+            const std::string shared = shared_result(set, sets);
+            if (!shared.empty())
+              throw InputError(name + ":" + std::to_string(first->first_line) +
+                               ": yarns of the set '" + set +
+                               "' have a result '" + shared +
+                               "', and so have others; give the set another "
+                               "name.");
+          }
+      }
+
+
+
       /** Distance of @p point from the straight line from @p a to @p b [mm]. */
       double
       distance_to_line(const Tensor<1, 3> &point,
@@ -359,6 +402,7 @@ namespace Heddle
       for (const RawFiber &fiber : fibers)
         paths.push_back(resample(fiber, name, reading));
       number_yarns(fibers, name, paths);
+      check_results(fibers, name);
       return paths;
     }
 
