@@ -1,6 +1,7 @@
 #include <heddle/base/declared_parameters.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/number_range.h>
 #include <heddle/base/parameter_file.h>
 #include <heddle/base/settings.h>
 #include <heddle/base/text_lines.h>
@@ -240,6 +241,9 @@ namespace Heddle
     if (!declared.admits(path, name, value))
       throw InputError(where + ": \"" + name + "\"" + in + " is \"" + value +
                        "\", but must be " + declared.allowed(path, name) + ".");
+    if (!declared.is_in_range(path, name, value))
+      throw InputError(where + ": \"" + name + "\"" + in + " is \"" + value +
+                       "\"; give " + range_in_words + ".");
   }
 
 

@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/number_range.h>
 #include <heddle/base/text_lines.h>
 #include <heddle/textile/csv_table.h>
 
@@ -153,6 +154,9 @@ namespace Heddle
              (word.find(',') == std::string::npos
                 ? "'; give a finite number."
                 : "'; give a number with a decimal point."));
+      if (!is_in_range(value))
+        fail("column '" + column + "' holds '" + word + "'; give " +
+             range_in_words + ".");
       return value;
     }
 
