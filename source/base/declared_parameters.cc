@@ -1,12 +1,15 @@
 #include <heddle/base/declared_parameters.h>
+#include <heddle/base/number_range.h>
 #include <heddle/base/pattern_in_words.h>
 
 #include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <functional>
 #include <sstream>
 
@@ -110,6 +113,25 @@ namespace Heddle
         value.find('-') != std::string::npos)
       return false;
     return Patterns::pattern_factory(pattern)->match(value);
+  }
+
+
+
+  bool
+  DeclaredParameters::is_in_range(const std::vector<std::string> &path,
+                                  const std::string              &name,
+                                  const std::string              &value) const
+  {
+    if (find(path, name)->pattern.find("[Double") == std::string::npos)
+      return true;
+    // Of lists, and of maps, whose names are no numbers.
+    for (const std::string &entry : Utilities::split_string_list(value))
+      {
+        const std::string word = entry.substr(entry.rfind(':') + 1);
+        if (!Heddle::is_in_range(std::strtod(word.c_str(), nullptr)))
+          return false;
+      }
+    return true;
   }
 
 

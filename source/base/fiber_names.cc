@@ -27,16 +27,20 @@ namespace Heddle
     for (unsigned int f = 0; f < number_of_fibers; ++f)
       {
         const auto &[set, yarn] = fibers[f];
-        fibers_of_word["all"].push_back(f);
-        fibers_of_word[std::to_string(f)].push_back(f);
+        const auto add = [&](const std::string &word, const std::string &what) {
+          meanings_of_word[word][what].push_back(f);
+        };
+        add("all", "all fibers");
+        add(std::to_string(f), "fiber " + std::to_string(f));
         if (!set.empty())
-          fibers_of_word[set].push_back(f);
+          add(set, "the set \"" + set + '"');
         if (yarn == numbers::invalid_unsigned_int)
           continue;
-        fibers_of_word["yarn " + std::to_string(yarn)].push_back(f);
-        if (!set.empty())
-          fibers_of_word[set + ' ' + std::to_string(yarns_of_set[set][yarn])]
-            .push_back(f);
+        add("yarn " + std::to_string(yarn), "yarn " + std::to_string(yarn));
+        if (set.empty())
+          continue;
+        const std::string place = std::to_string(yarns_of_set[set][yarn]);
+        add(set + ' ' + place, "yarn " + place + " of the set \"" + set + '"');
       }
   }
 
@@ -48,10 +52,17 @@ namespace Heddle
     std::set<unsigned int> found;
     for (const std::string &word : Utilities::split_string_list(words))
       {
-        const auto fibers = fibers_of_word.find(word);
-        if (fibers == fibers_of_word.end())
+        const auto meanings = meanings_of_word.find(word);
+        if (meanings == meanings_of_word.end())
           complain(word, where);
-        found.insert(fibers->second.begin(), fibers->second.end());
+        const auto &[what, fibers] = *meanings->second.begin();
+        for (const auto &other : meanings->second)
+          if (other.second != fibers)
+            throw InputError(where + ": \"Fibers\" names \"" + word +
+                             "\", which is " + what + " and " + other.first +
+                             "; give the set another name in its file, or "
+                             "name these fibers by other words.");
+        found.insert(fibers.begin(), fibers.end());
       }
     require(!found.empty(),
             where + ": \"Fibers\" is empty; write \"all\", names of sets, or "

@@ -1,8 +1,10 @@
 #include <heddle/base/declared_parameters.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/number_range.h>
 #include <heddle/base/parameter_file.h>
 #include <heddle/base/settings.h>
+#include <heddle/base/text_lines.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -82,6 +84,8 @@ namespace Heddle
   void
   ParameterFile::set(const std::string &assignment)
   {
+    const std::string fault = no_text(assignment);
+    require(fault.empty(), "--set: " + fault + "; give it in UTF-8.");
     const std::string where  = "--set \"" + assignment + "\"";
     const auto        equals = assignment.find('=');
     require(equals != std::string::npos,
@@ -237,6 +241,9 @@ namespace Heddle
     if (!declared.admits(path, name, value))
       throw InputError(where + ": \"" + name + "\"" + in + " is \"" + value +
                        "\", but must be " + declared.allowed(path, name) + ".");
+    if (!declared.is_in_range(path, name, value))
+      throw InputError(where + ": \"" + name + "\"" + in + " is \"" + value +
+                       "\"; give " + range_in_words + ".");
   }
 
 
@@ -251,11 +258,16 @@ namespace Heddle
     std::string        physical_line;
     std::string        line;
 
-    for (unsigned int number = 1; std::getline(in, physical_line); ++number)
+    for (unsigned int number = 1; take_line(in, physical_line); ++number)
       {
+        const std::string where = file + ":" + std::to_string(number);
         // A comment ends with its line, a statement only without a backslash.
-        line +=
+        physical_line =
           Utilities::trim(physical_line.substr(0, physical_line.find('#')));
+        const std::string fault = no_text(physical_line);
+        require(fault.empty(),
+                where + ": " + fault + "; save the file in UTF-8.");
+        line += physical_line;
         if (line.empty())
           continue;
         if (line.back() == '\\')
@@ -263,7 +275,7 @@ namespace Heddle
             line.back() = ' ';
             continue;
           }
-        read_statement(line, file + ":" + std::to_string(number), depth);
+        read_statement(line, where, depth);
         line.clear();
       }
 

@@ -26,11 +26,23 @@ namespace Heddle
       std::pair<unsigned int, unsigned int>
       find_pair(const std::string &name, const std::vector<std::string> &sets)
       {
+        std::pair<unsigned int, unsigned int> found = {sets.size(),
+                                                       sets.size()};
         for (unsigned int i = 0; i < sets.size(); ++i)
           for (unsigned int j = 0; j < sets.size(); ++j)
-            if (name == sets[i] + "-" + sets[j])
-              return {i, j};
-        return {sets.size(), sets.size()};
+            if (name == sets[i] + "-" + sets[j] &&
+                found != std::make_pair(j, i))
+              {
+                if (found.first < sets.size())
+                  throw InputError(
+                    "Contact: \"Friction of sets\" names \"" + name +
+                    "\", which is the pair of " +
+                    in_quotes({sets[found.first], sets[found.second]}) +
+                    " and that of " + in_quotes({sets[i], sets[j]}) +
+                    "; give the sets names without \"-\" in their file.");
+                found = {i, j};
+              }
+        return found;
       }
     } // namespace
 

@@ -1,3 +1,4 @@
+#include <heddle/base/exceptions.h>
 #include <heddle/base/expression.h>
 #include <heddle/contributions/load_parameters.h>
 
@@ -63,6 +64,10 @@ namespace Heddle
           Expression(moment[d], entry("Moment", d));
           Expression(force_per_length[d], entry("Force per length", d));
         }
+      require(!nodes.is_empty(),
+              section_in_words(*this) +
+                ": \"Fibers\" is \"none\": this load acts on nothing; name "
+                "fibers, or leave the load out.");
     }
 
 

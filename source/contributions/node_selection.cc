@@ -25,7 +25,8 @@ namespace Heddle
         "from 0, in the order of the file. In a weave warp and "
         "weft yarns take turns: fibers of the first warp yarn, "
         "of the first weft yarn, of the second warp yarn... "
-        "[-].");
+        "The name of a set that stands for other fibers too, "
+        "as '1' for fiber 1, is refused [-].");
       add_choice(
         owner,
         "Nodes",

@@ -88,7 +88,10 @@ namespace Heddle
 
       json["results"]  = results;
       json["versions"] = versions;
-      return json.dump(2) + "\n";
+      // Names of folders, which a reason may tell, are in any encoding.
+      constexpr auto replace =
+        internal::Summary::Json::error_handler_t::replace;
+      return json.dump(2, ' ', false, replace) + "\n";
     }
 
 

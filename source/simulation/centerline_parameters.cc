@@ -17,7 +17,9 @@ namespace Heddle
                     "tabs may stand for commas; as seen from "
                     "the folder of the parameter file. Supports and loads find "
                     "fibers by their set; those of the same yarn are measured "
-                    "together. A fiber has one radius, the mean of those of "
+                    "together. No set is named 'none' or, of yarns, 'all', "
+                    "'fiber', or as another one with '_inner' behind it. "
+                    "A fiber has one radius, the mean of those of "
                     "its points. Inactive if Run/Scene is 'weave', like all of "
                     "this section [-].");
       add_parameter("Element length",

@@ -16,6 +16,17 @@ namespace Heddle
     {
       const std::string fabric_loading = "Fabric loading: ";
 
+
+
+      /** Whether @p ramp loads nothing at any time. */
+      bool
+      stays_at_rest(const Expression &ramp)
+      {
+        for (unsigned int i = 1; i <= 100; ++i)
+          if (ramp.value(Tensor<1, 3>(), 0.01 * i) != 0.)
+            return false;
+        return true;
+      }
     } // namespace
 
 
@@ -143,6 +154,14 @@ namespace Heddle
                 fabric_loading + "\"Ramp\" is \"" + ramp +
                   "\", which is not the same everywhere; let it depend on t "
                   "alone.");
+      require(!stays_at_rest(formula),
+              fabric_loading + "\"Ramp\" is \"" + ramp +
+                "\", which is 0 from t = 0 to 1, and loads nothing; let it "
+                "depend on t, or set \"Kind\" to \"held\".");
+      require(!(pulls(YarnSet::warp) || pulls(YarnSet::weft)) || strain != 0.,
+              fabric_loading +
+                "\"Strain\" is 0, and pulls nothing; 0.02 are 2 %, and where "
+                "nothing is to be pulled \"Kind\" is \"held\".");
       require(is_shear() || (strain > -1. && strain < 10.),
               fabric_loading + "\"Strain\" is " + number_text(strain) +
                 "; it must lie between -1 and 10, and 0.02 are 2 %.");

@@ -1,4 +1,6 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/number_range.h>
+#include <heddle/base/text_lines.h>
 #include <heddle/textile/csv_table.h>
 
 #include <deal.II/base/utilities.h>
@@ -152,6 +154,9 @@ namespace Heddle
              (word.find(',') == std::string::npos
                 ? "'; give a finite number."
                 : "'; give a number with a decimal point."));
+      if (!is_in_range(value))
+        fail("column '" + column + "' holds '" + word + "'; give " +
+             range_in_words + ".");
       return value;
     }
 
@@ -167,33 +172,16 @@ namespace Heddle
 
 
     bool
-    CsvTable::take_line(std::string &line)
-    {
-      line.clear();
-      for (char letter; input.get(letter);)
-        {
-          if (letter == '\r' && input.peek() == '\n')
-            continue;
-          if (letter == '\n' || letter == '\r')
-            return true;
-          line += letter;
-        }
-      return !line.empty();
-    }
-
-
-
-    bool
     CsvTable::read_line()
     {
-      for (std::string line; take_line(line);)
+      for (std::string line; take_line(input, line);)
         {
           ++line_number;
-          if (line.find('\0') != std::string::npos)
-            fail("there are bytes of no text, as in UTF-16 or in a "
-                 "spreadsheet; save the table as comma-separated values in "
-                 "UTF-8.");
-          line = line.substr(0, line.find('#'));
+          line                    = line.substr(0, line.find('#'));
+          const std::string fault = no_text(line);
+          if (!fault.empty())
+            fail(fault +
+                 "; save the table as comma-separated values in UTF-8.");
           if (dealii::Utilities::trim(line).empty())
             continue;
           if (separator == 0)

@@ -82,6 +82,19 @@ namespace Heddle
 
 
 
+      std::string
+      set_of_fiber(const CsvTable &table)
+      {
+        const std::string set = word_of_fiber(table, "set");
+        if (set == "none")
+          table.fail("the set is named 'none', by which parameters choose no "
+                     "fibers; leave the entry empty, or give the set another "
+                     "name.");
+        return set;
+      }
+
+
+
       /** Refuse that @p fiber is of another @p kind here than it was before. */
       void
       check_same(const CsvTable    &table,
@@ -112,7 +125,7 @@ namespace Heddle
         if (fiber.points.empty())
           {
             fiber.name       = table.text("fiber");
-            fiber.set        = word_of_fiber(table, "set");
+            fiber.set        = set_of_fiber(table);
             fiber.yarn       = word_of_fiber(table, "yarn");
             fiber.first_line = table.line();
           }
@@ -192,6 +205,49 @@ namespace Heddle
                                yarn.first->set +
                                "'; give all fibers of a yarn the same set.");
             paths[f].yarn_id = yarn.number;
+          }
+      }
+
+
+
+      /** What results of yarns of @p set and others would both be called, of
+       * those that are named after @p sets; nothing if all names are apart. */
+      std::string
+      shared_result(const std::string                             &set,
+                    const std::map<std::string, const RawFiber *> &sets)
+      {
+        if (set == "all")
+          return "all";
+        if (set == "fiber")
+          return "fiber_volume_fraction";
+        // The crimp of "a_inner" and the inner crimp of "a".
+        for (const auto &other : sets)
+          if (set == (other.first.empty() ? "" : other.first + "_") + "inner")
+            return set + "_crimp";
+        return "";
+      }
+
+
+
+      /** Results of yarns are named after their sets: refuse names by which one
+       * would hide another. */
+      void
+      check_results(const std::vector<RawFiber> &fibers,
+                    const std::string           &name)
+      {
+        std::map<std::string, const RawFiber *> sets;
+        for (const RawFiber &fiber : fibers)
+          if (!fiber.yarn.empty())
+            sets.emplace(fiber.set, &fiber);
+        for (const auto &[set, first] : sets)
+          {
+            const std::string shared = shared_result(set, sets);
+            if (!shared.empty())
+              throw InputError(name + ":" + std::to_string(first->first_line) +
+                               ": yarns of the set '" + set +
+                               "' have a result '" + shared +
+                               "', and so have others; give the set another "
+                               "name.");
           }
       }
 
@@ -346,6 +402,7 @@ namespace Heddle
       for (const RawFiber &fiber : fibers)
         paths.push_back(resample(fiber, name, reading));
       number_yarns(fibers, name, paths);
+      check_results(fibers, name);
       return paths;
     }
 

@@ -290,6 +290,15 @@ errors()
          "set Cells = 4\nend\n");
   deallog.pop();
 
+  deallog.push("text");
+  answer("subsection Mesh\rset Cells = 51\rend\r");
+  answer("subsection Mesh\r\nset Cells = 51\r\nend\r\n");
+  answer(std::string("s\0e\0t\0", 6));
+  answer(std::string("\xFF\xFE"
+                     "#\0",
+                     4));
+  deallog.pop();
+
   deallog.push("command line");
   answer("", "Mesh/Cells=0");
   answer("", "Mesh/Cell=1");

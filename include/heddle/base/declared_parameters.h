@@ -35,6 +35,15 @@ namespace Heddle
            const std::string              &name,
            const std::string              &value) const;
 
+    /**
+     * Whether all numbers of @p value, if the parameter has any, are such that
+     * they can be computed with.
+     */
+    bool
+    is_in_range(const std::vector<std::string> &path,
+                const std::string              &name,
+                const std::string              &value) const;
+
     /** Return in words what is allowed for a parameter. */
     std::string
     allowed(const std::vector<std::string> &path,

@@ -21,6 +21,9 @@ namespace Heddle
   /**
    * The words by which a parameter file chooses fibers: "all", their numbers,
    * their sets, "yarn 3", and "warp 0", which is the first yarn of this set.
+   * Sets may have any name, as labels of a tomogram, which are numbers: what a
+   * word chooses is in doubt only if it is used and stands for other fibers as
+   * the name of a set than otherwise.
    */
   class FiberNames
   {
@@ -35,8 +38,9 @@ namespace Heddle
 
     /**
      * Return the numbers of the fibers that the list @p words stands for, in
-     * ascending order. Throw InputError if a word stands for none, or if there
-     * is no word; @p where is the section whose "Fibers" they are.
+     * ascending order. Throw InputError if a word stands for none, or for
+     * several things that are not the same fibers, or if there is no word;
+     * @p where is the section whose "Fibers" they are.
      */
     std::vector<unsigned int>
     find(const std::string &words, const std::string &where) const;
@@ -46,8 +50,11 @@ namespace Heddle
     [[noreturn]] void
     complain(const std::string &word, const std::string &where) const;
 
-    const unsigned int                               number_of_fibers;
-    std::map<std::string, std::vector<unsigned int>> fibers_of_word;
+    /** What a word stands for, as in `fiber 1`, and which fibers these are. */
+    using Meanings = std::map<std::string, std::vector<unsigned int>>;
+
+    const unsigned int              number_of_fibers;
+    std::map<std::string, Meanings> meanings_of_word;
 
     /** Numbers of the yarns of each set, those of fibers without one empty. */
     std::map<std::string, std::map<unsigned int, unsigned int>> yarns_of_set;

@@ -32,7 +32,8 @@ namespace Heddle
    *
    * A file is what deal.II's ParameterHandler reads: `subsection`, `end`, `set
    * Name = value`, `include`, comments from # on, and lines continued by a
-   * backslash. Files are included relative to the file that names them.
+   * backslash. Files are included relative to the file that names them. They
+   * are text in UTF-8, whose lines end as on any system.
    */
   class ParameterFile
   {

@@ -61,11 +61,6 @@ namespace Heddle
       bool
       read_line();
 
-      /** The next line, whether it ends as on Unix, Windows or old Macs; false
-       * at the end. */
-      bool
-      take_line(std::string &line);
-
       /** Refuse columns that are missing, twice, or of no meaning. */
       void
       check_header(const std::vector<std::string> &required,
