@@ -175,8 +175,8 @@ namespace Heddle
 
 
       /**
-       * Number the yarns in the order in which they appear. A yarn runs in one
-       * direction: all its fibers are of one set.
+       * Number the yarns in the order in which they appear, or as they are
+       * called. A yarn runs in one direction: all its fibers are of one set.
        */
       void
       number_yarns(const std::vector<RawFiber> &fibers,
@@ -206,6 +206,15 @@ namespace Heddle
                                "'; give all fibers of a yarn the same set.");
             paths[f].yarn_id = yarn.number;
           }
+
+        // A run names them so, in the order of its fibers.
+        bool are_numbers = true;
+        for (unsigned int y = 0; y < yarns.size(); ++y)
+          are_numbers = are_numbers && yarns.count(std::to_string(y)) > 0;
+        if (are_numbers)
+          for (unsigned int f = 0; f < fibers.size(); ++f)
+            if (!fibers[f].yarn.empty())
+              paths[f].yarn_id = std::stoul(fibers[f].yarn);
       }
 
 

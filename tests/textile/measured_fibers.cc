@@ -115,6 +115,16 @@ reading()
        "4,0,3,0,1,left\n4,9,3,0,1,left\n",
        settings);
 
+  // A run leaves numbers, which are kept; others are names.
+  for (const std::string last : {"0", "3"})
+    read("fiber,x,y,z,radius,yarn\n"
+         "1,0,0,0,1,2\n1,9,0,0,1,2\n"
+         "2,0,1,0,1,\n2,9,1,0,1,\n"
+         "3,0,2,0,1,1\n3,9,2,0,1,1\n"
+         "4,0,3,0,1," +
+           last + "\n4,9,3,0,1," + last + "\n",
+         settings);
+
   settings.scale         = 1.;
   settings.radius        = 0.01;
   const std::string bend = "fiber,x,y,z\n1,0,0,0\n1,1,0,0\n1,2,1,0\n1,2,2,0\n";
