@@ -103,7 +103,6 @@ namespace Heddle
       bool
       cut_back();
 
-      /** @note Collective. */
       /** Try the step as long as it was before it was cut. */
       void
       restore()
@@ -112,6 +111,7 @@ namespace Heddle
         n_good = 0;
       }
 
+      /** @note Collective. */
       void
       save(ArchiveWriter &archive) const;
       void
