@@ -67,6 +67,9 @@ namespace Heddle
     {
       Textile::PathReading result = entries;
       result.knots_per_element    = nodes_per_element - 1;
+      // Centerlines are as long as free fibers where these are as curved.
+      if (!straight_when_free)
+        result.axial_strain = 0.;
       return result;
     }
   } // namespace Simulation
