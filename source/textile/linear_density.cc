@@ -47,6 +47,9 @@ namespace Heddle
       require(yarns.density > 0.,
               given.str() +
                 ", but Density is 0; give the density of the fibers.");
+      require(packing.radius > 0.,
+              given.str() +
+                ", but Fiber radius is 0; give that of a filament.");
       packing.filament_radius = packing.radius;
       packing.radius          = std::sqrt(
         tex / (1000. * yarns.density * numbers::PI * n_fibers(packing)));

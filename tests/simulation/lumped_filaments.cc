@@ -94,4 +94,5 @@ main(int argc, char **argv)
   check(400);
   refuse(glass("68", "set Density = 2.6\nset Fibers per bundle = 500\n"));
   refuse(glass("68", "set Density = 0\nset Fibers per bundle = 12\n"));
+  refuse(glass("68", "set Density = 2.6\nset Fiber radius = 0\n"));
 }
