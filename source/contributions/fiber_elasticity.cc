@@ -71,6 +71,7 @@ namespace Heddle
     void
     FiberElasticity::set_reference(const System::State &state)
     {
+      keep_first_reference();
       for_each_element(
         state,
         [&](const unsigned int f, const unsigned int e, unsigned int first) {
@@ -78,8 +79,17 @@ namespace Heddle
                                   space.element_length(f, e),
                                   reference.data() + offset(f, e));
         });
+      predicted = false;
+    }
+
+
+
+    void
+    FiberElasticity::keep_first_reference()
+    {
+      if (!reference_was_set)
+        first_reference = reference;
       reference_was_set = true;
-      predicted         = false;
     }
 
 
@@ -186,12 +196,23 @@ namespace Heddle
     void
     FiberElasticity::load(const ArchiveReader &archive, const System::State &)
     {
-      reference_was_set = archive.has(name() + "/reference strains");
+      if (!archive.has(name() + "/reference strains"))
+        return;
+      keep_first_reference();
+      reference = archive.read(name() + "/reference strains",
+                               count_elements().second,
+                               reference.size() / space.element().n_strains(),
+                               space.element().n_strains());
+    }
+
+
+
+    void
+    FiberElasticity::load_initial(const ArchiveReader &, const System::State &)
+    {
       if (reference_was_set)
-        reference = archive.read(name() + "/reference strains",
-                                 count_elements().second,
-                                 reference.size() / space.element().n_strains(),
-                                 space.element().n_strains());
+        reference = first_reference;
+      reference_was_set = false;
     }
 
 

@@ -235,6 +235,8 @@ namespace Heddle
               },
               summary.stages.back().wall_time);
         }
+      else if (summary.stages.back().status != IO::Status::converged)
+        summary.stages.back().status = IO::Status::running;
       earlier  = summary.stages.back().wall_time;
       at_begin = clock();
       write_summary();
@@ -295,17 +297,20 @@ namespace Heddle
     void
     Recorder::keep(const Place &place)
     {
-      const unsigned int step = scene.state().step;
-      const bool         last = place.stepping->finished();
-      if (!parameters.output.checkpoint_due(step, last))
-        write_checkpoint(place);
+      const unsigned int step  = scene.state().step;
+      const bool         last  = place.stepping->finished();
+      int               &drawn = summary.stages[place.stage].last_output;
       // A step to load factor 0 has no picture (OutputParameters::due()).
-      if (parameters.output.interval > 0 && step > 0 &&
-          !parameters.output.due(step, last))
+      const bool draws = parameters.output.interval > 0 && step > 0 &&
+                         drawn != static_cast<int>(place.number);
+      if (draws)
         {
           write_pictures(place, scene.stages()[place.stage].name);
-          summary.stages[place.stage].last_output = place.number;
+          drawn = place.number;
         }
+      // Which was drawn last is in it.
+      if (draws || !parameters.output.checkpoint_due(step, last))
+        write_checkpoint(place);
     }
 
 

@@ -80,6 +80,11 @@ namespace Heddle
       void
       load(const ArchiveReader &archive, const System::State &state) override;
 
+      /** The reference is the one of before set_reference(). */
+      void
+      load_initial(const ArchiveReader &archive,
+                   const System::State &state) override;
+
       /** Reference strains of element @p e of the owned fiber @p f. */
       const double *
       reference_strains(const unsigned int f, const unsigned int e) const
@@ -95,6 +100,10 @@ namespace Heddle
                space.element().n_strains();
       }
 
+      /** The reference is about to be another one. */
+      void
+      keep_first_reference();
+
       /** Numbers of all elements, and of those of lower ranks. */
       std::pair<unsigned int, unsigned int>
       count_elements() const;
@@ -107,6 +116,7 @@ namespace Heddle
       const System::FiberSpace &space;
       std::vector<unsigned int> first_element;
       std::vector<double>       reference;
+      std::vector<double>       first_reference; /**< if it was set since */
       bool                      reference_was_set = false;
 
       /** Predicted stresses; not used before the first prediction of a step. */
