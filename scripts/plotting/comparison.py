@@ -56,8 +56,11 @@ def match(yarns, others):
 
 
 def registration(yarns, others):
-    return Motion(np.concatenate([yarn.path() for yarn in yarns]),
-                  np.concatenate([yarn.path() for yarn in others]))
+    """Return the motion that takes sections that both have to each other."""
+    points, goals = (np.concatenate([yarn.path() for yarn in fabric])
+                     for fabric in (yarns, others))
+    both = np.isfinite(points + goals).all(axis=1)
+    return Motion(points[both], goals[both])
 
 
 def statistics(yarns):
@@ -67,7 +70,7 @@ def statistics(yarns):
               for name, unit in OF_SECTIONS.items()}
     values["crimp"] = ("-", np.array([yarn.sections["crimp"][0]
                                       for yarn in yarns]))
-    thick = [yarn for yarn in yarns if len(yarn.fibers) > 1]
+    thick = [yarn for yarn in yarns if len(yarn.whole_fibers()) > 1]
     if thick:
         values["neighbour_distance"] = (
             "-", np.concatenate([yarn.neighbour_distances()
@@ -110,7 +113,7 @@ def distances_to_line(points, line):
 def path_distances(yarns, others, motion):
     """Return how far the axes of yarns lie from those of the reference [mm]."""
     return np.concatenate([
-        distances_to_line(motion(yarn.path()), other.path())
+        distances_to_line(motion(yarn.line()), other.line())
         for yarn, other in zip(yarns, others)])
 
 
@@ -136,7 +139,10 @@ def draw_section(axes, yarn, motion, color, origin, normal):
     for points in yarn.fibers.values():
         arms = motion(points) - origin
         heights = arms @ normal
-        i = int(np.argmax(heights[:-1] * heights[1:] <= 0.))
+        crossed = heights[:-1] * heights[1:] <= 0.
+        if not crossed.any():
+            continue
+        i = int(np.argmax(crossed))
         t = heights[i] / (heights[i] - heights[i + 1])
         place = (1. - t) * arms[i] + t * arms[i + 1]
         axes.add_patch(plt.Circle((place @ across, place @ up), yarn.radius,
@@ -145,7 +151,7 @@ def draw_section(axes, yarn, motion, color, origin, normal):
 
 def draw_sections(axes, yarn, other, motion):
     """Of both, in the plane across the middle of the reference."""
-    path = other.path()
+    path = other.line()
     middle = len(path) // 2
     normal = path[middle + 1] - path[middle - 1]
     normal /= np.linalg.norm(normal)

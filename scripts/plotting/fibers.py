@@ -38,19 +38,24 @@ class Frame:
         return self._fibers
 
 
-def read_pvd(path):
-    """Return (file, time, stage) of the entries of a PVD file."""
+def listed(path):
+    """Return (file, time, stage) of the entries of a PVD file, if any."""
     try:
         entries = xml.etree.ElementTree.parse(path).getroot().iter("DataSet")
     except xml.etree.ElementTree.ParseError as error:
         raise PlotError(f"'{path}' cannot be read: {error}.") from None
-    listed = [(os.path.join(os.path.dirname(path), entry.get("file")),
-               float(entry.get("timestep")),
-               entry.get("group") or "")
-              for entry in entries]
-    if not listed:
+    return [(os.path.join(os.path.dirname(path), entry.get("file")),
+             float(entry.get("timestep")),
+             entry.get("group") or "")
+            for entry in entries]
+
+
+def read_pvd(path):
+    """Return the same of a file that must have entries."""
+    entries = listed(path)
+    if not entries:
         raise PlotError(f"'{path}' lists no files yet.")
-    return listed
+    return entries
 
 
 def read_series(directory):

@@ -11,7 +11,8 @@ from vtk.util import numpy_support
 
 from plotting import PlotError
 from plotting.fabric import drawn
-from plotting.fibers import bounds_of, last_of_stages, radius_of, read_pvd
+from plotting.fibers import (bounds_of, last_of_stages, listed, radius_of,
+                             read_pvd)
 from plotting.figures import one_picture, save, show
 from plotting.rendering import render
 from plotting.surfaces import paint
@@ -202,7 +203,8 @@ def embedded(grid, fibers, view, size, colors=None):
 def plot_matrix(directory, last_fibers, folder, options):
     """All pictures of the matrix, if the run has one."""
     path = os.path.join(directory, "matrix.pvd")
-    if not os.path.isfile(path):
+    # Before fibers are embedded the list is empty.
+    if not os.path.isfile(path) or not listed(path):
         return
     frames = [MatrixFrame(*entry) for entry in read_pvd(path)]
     radius = radius_of(last_fibers)

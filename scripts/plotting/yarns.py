@@ -32,12 +32,13 @@ class Yarn:
         self.sections = sections
         self.fibers = fibers
         self.radius = np.mean(radii)
-        path = self.path()
-        span = path[-1] - path[0]
+        line = self.line()
+        span = line[-1] - line[0]
         if span[np.abs(span).argmax()] < 0.:
             span = -span
             self.sections = {name: values[::-1]
                              for name, values in sections.items()}
+            self.sections["station"] = 1. - self.sections["station"]
         for number, points in self.fibers.items():
             if (points[-1] - points[0]) @ span < 0.:
                 self.fibers[number] = points[::-1]
@@ -46,15 +47,30 @@ class Yarn:
         """Return where the mean line passes through the sections [mm]."""
         return np.stack([self.sections[d] for d in "xyz"], axis=1)
 
+    def line(self):
+        """Return the same without sections that no fiber passes."""
+        path = self.path()
+        return path[np.isfinite(path).all(axis=1)]
+
+    def whole_fibers(self):
+        """Return the lines of fibers that run from end to end, as far as to a
+        tenth of the yarn: others were lost on their way, or are spun."""
+        line = self.line()
+        span = line[-1] - line[0]
+        allowed = 0.1 * (span @ span)
+        return [points for points in self.fibers.values()
+                if (points[0] - line[0]) @ span <= allowed
+                and (line[-1] - points[-1]) @ span <= allowed]
+
     def whole(self, name):
         """Return a measure of the sections through all fibers."""
         return self.sections[name][self.sections["fibers_missing"] == 0]
 
     def places(self):
-        """Return where the fibers are across the yarn's axis: [fiber, station,
-        coordinate] from it [mm]."""
+        """Return where whole fibers are across the yarn's axis: [fiber,
+        station, coordinate] from it [mm]."""
         lines = np.array([resampled(points, N_STATIONS)
-                          for points in self.fibers.values()])
+                          for points in self.whole_fibers()])
         axis = lines.mean(axis=0)
         tangent = np.gradient(axis, axis=0)
         tangent /= np.linalg.norm(tangent, axis=1)[:, None]
@@ -71,8 +87,8 @@ class Yarn:
                 ).std(axis=1).mean()
 
     def neighbour_distances(self):
-        """Return how far the nearest other fiber is, over the diameter, of each
-        fiber at each station."""
+        """Return how far the nearest other one is, over the diameter, of each
+        whole fiber at each station."""
         places = self.places()
         arms = places[:, None] - places[None]
         distance = np.linalg.norm(arms, axis=3)
@@ -136,6 +152,14 @@ def read_fibers(directory):
     return yarns
 
 
+def normal(yarns):
+    """Return the horizontal direction across yarns, towards larger x or y."""
+    x, y, _ = np.sum([yarn.line()[-1] - yarn.line()[0] for yarn in yarns],
+                     axis=0)
+    across = np.array([-y, x, 0.])
+    return across * np.sign(across[np.abs(across).argmax()])
+
+
 def read_yarns(directory):
     """Return the yarns of a run: those of each set side by side, in the order
     in which they lie there."""
@@ -150,7 +174,7 @@ def read_yarns(directory):
         yarns.append(Yarn(kind, {name: values[rows]
                                  for name, (_, values) in table.items()},
                           fibers, radii))
-    across = {"warp": 1, "weft": 0}
+    across = {kind: normal([yarn for yarn in yarns if yarn.kind == kind])
+              for kind in {yarn.kind for yarn in yarns}}
     return sorted(yarns, key=lambda yarn: (
-        yarn.kind, yarn.path().mean(axis=0)[across[yarn.kind]]
-        if yarn.kind in across else 0.))
+        yarn.kind, yarn.line().mean(axis=0) @ across[yarn.kind]))
