@@ -26,7 +26,7 @@ namespace Heddle
         "weft yarns take turns: fibers of the first warp yarn, "
         "of the first weft yarn, of the second warp yarn... "
         "The name of a set that stands for other fibers too, "
-        "as '1' for fiber 1, is refused [-].");
+        "as '1' for fiber 1, is refused; so is a load on 'none' [-].");
       add_choice(
         owner,
         "Nodes",
