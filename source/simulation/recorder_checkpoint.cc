@@ -155,9 +155,15 @@ namespace Heddle
       for (const std::string &change :
            changed_settings(position.settings, in_force))
         log << "Changed        " << change << std::endl;
-      for (unsigned int i = place.stage + 1; i < stages.size(); ++i)
-        if (stages[i].begins_initially)
-          require_initial_configuration();
+      // It is there unless a stage that has yet to end writes it.
+      bool is_there = true;
+      for (unsigned int i = place.stage; i < stages.size(); ++i)
+        {
+          if (stages[i].begins_initially && i > place.stage && is_there)
+            require_initial_configuration();
+          if (scene.ends_initially(i) && !stepping[i]->finished())
+            is_there = false;
+        }
       history.resume(position.history);
       place.number = position.number;
       return place;
