@@ -12,8 +12,8 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * Throw an InputError if two fibers have the same axis: no normal tells
-     * where contact is to push them.
+     * Throw an InputError if two fibers have the same axis, or parts of it: no
+     * normal tells where contact is to push them.
      */
     void
     check_paths(const std::vector<FiberPath> &paths);
