@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -23,13 +24,14 @@ namespace Heddle
       if (!first_rank || resume_at == 0)
         return;
 
-      const std::string end_mark = file_name(resume_at);
+      const std::string before_number = name + "/" + name + "-";
       std::ifstream     file(directory + "/" + name + ".pvd");
       for (std::string line; std::getline(file, line);)
         {
-          const auto begin = line.find(name + "/" + name + "-");
+          const auto begin = line.rfind(before_number);
           if (begin != std::string::npos &&
-              line.substr(begin, end_mark.size()) < end_mark)
+              std::strtoul(&line[begin + before_number.size()], nullptr, 10) <
+                resume_at)
             entries.push_back(line);
         }
       file.close();

@@ -3,6 +3,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
 #include <heddle/io/checkpoint.h>
+#include <heddle/io/collection.h>
 #include <heddle/io/hdf5_archive.h>
 #include <heddle/io/history.h>
 #include <heddle/io/summary.h>
@@ -164,10 +165,28 @@ checkpoints()
 
 
 
+/** Numbers of more digits than others follow these, when a run goes on too. */
+void
+list_of_pictures()
+{
+  Heddle::create_folder("pictures_files");
+  Heddle::IO::Collection before("pictures_files", "fibers", MPI_COMM_WORLD, 0);
+  for (const unsigned int number : {2, 99999, 100000, 100001})
+    before.add(number, number, "load");
+  const Heddle::IO::Collection after(
+    "pictures_files", "fibers", MPI_COMM_WORLD, 100001);
+  std::ifstream file("pictures_files/fibers.pvd");
+  for (std::string line; std::getline(file, line);)
+    deallog << line << std::endl;
+}
+
+
+
 int
 main(int argc, char **argv)
 {
   const MPITest mpi(argc, argv);
   run_part("Summary and history", summary_and_history);
   run_part("Checkpoints", checkpoints);
+  run_part("List of pictures", list_of_pictures);
 }

@@ -36,7 +36,7 @@ namespace Heddle
       using Load = std::function<void(const ArchiveReader &)>;
 
       /** Number of the layout of the files; older and newer are refused. */
-      static constexpr unsigned int schema = 9;
+      static constexpr unsigned int schema = 10;
 
       /** The last @p n_kept files stay. */
       Checkpoint(const System::FiberSpace &space,
