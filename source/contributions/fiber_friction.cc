@@ -369,6 +369,35 @@ namespace Heddle
 
 
 
+    std::vector<Contact::TangentialForce>
+    FiberFriction::tangential_forces(const System::State &state) const
+    {
+      const auto                           &touching = contact.elements();
+      std::vector<Contact::TangentialForce> result(touching.size());
+      // They are in the order of those, some of which have no friction.
+      auto at = touching.begin();
+      for (const Element &element : elements)
+        {
+          at =
+            std::find_if(at, touching.end(), [&element](const auto &candidate) {
+              return candidate.fiber_a == element.fiber_a &&
+                     candidate.fiber_b == element.fiber_b &&
+                     candidate.s_a == element.s_a &&
+                     candidate.s_b == element.s_b;
+            });
+          AssertThrow(at != touching.end(),
+                      ExcMessage("Contact was placed anew since then."));
+          const Tensor<1, 3> u = element.displacement(state.current());
+          // The energy grows with u, and the force on fiber a is against it.
+          result[at - touching.begin()] = {-1. * element.law.force(u),
+                                           element.law.part_of_limit(u).norm()};
+          ++at;
+        }
+      return result;
+    }
+
+
+
     std::vector<double>
     FiberFriction::limits_before() const
     {

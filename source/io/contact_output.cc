@@ -63,38 +63,43 @@ namespace Heddle
 
 
     ContactOutput::ContactOutput(const System::FiberSpace &space,
+                                 const bool                with_friction,
                                  const std::string        &directory,
                                  const unsigned int        resume_at)
       : space(space)
+      , with_friction(with_friction)
       , collection(directory, "contacts", space.communicator(), resume_at)
     {
     }
 
 
 
-    const std::vector<std::string> &
-    ContactOutput::fields()
+    std::vector<std::string>
+    ContactOutput::fields(const bool with_friction)
     {
-      static const std::vector<std::string> names = {"normal[3]",
-                                                     "gap",
-                                                     "penetration_ratio",
-                                                     "normal_force",
-                                                     "penalty",
-                                                     "weight",
-                                                     "contact_angle",
-                                                     "same_yarn",
-                                                     "fiber_id_a",
-                                                     "fiber_id_b",
-                                                     "zone_id"};
+      std::vector<std::string> names = {"normal[3]",
+                                        "gap",
+                                        "penetration_ratio",
+                                        "normal_force",
+                                        "penalty",
+                                        "weight",
+                                        "contact_angle",
+                                        "same_yarn",
+                                        "fiber_id_a",
+                                        "fiber_id_b",
+                                        "zone_id"};
+      if (with_friction)
+        names.insert(names.end(), {"tangential_force[3]", "slip_ratio"});
       return names;
     }
 
 
 
     PatchFile<0>::Patch
-    ContactOutput::patch(const Contact::ContactElement &element,
-                         const System::State           &state,
-                         const unsigned int             zone_id) const
+    ContactOutput::patch(const Contact::ContactElement  &element,
+                         const Contact::TangentialForce *friction,
+                         const System::State            &state,
+                         const unsigned int              zone_id) const
     {
       namespace helpers = internal::ContactOutput;
 
@@ -111,22 +116,28 @@ namespace Heddle
       PatchFile<0>::Patch patch;
       patch.vertices[0] = Point<3>(0.5 * (at_a.position + at_b.position));
 
-      const std::array<double, 13> values = {
-        {element.normal[0],
-         element.normal[1],
-         element.normal[2],
-         element.gap,
-         std::max(0., -element.gap) / smaller_radius,
-         element.force,
-         element.penalty,
-         element.weight,
-         std::acos(cosine) * 180. / numbers::PI,
-         a.yarn_id == b.yarn_id && a.yarn_id != numbers::invalid_unsigned_int
-           ? 1.
-           : 0.,
-         static_cast<double>(element.fiber_a),
-         static_cast<double>(element.fiber_b),
-         static_cast<double>(zone_id)}};
+      std::vector<double> values = {
+        element.normal[0],
+        element.normal[1],
+        element.normal[2],
+        element.gap,
+        std::max(0., -element.gap) / smaller_radius,
+        element.force,
+        element.penalty,
+        element.weight,
+        std::acos(cosine) * 180. / numbers::PI,
+        a.yarn_id == b.yarn_id && a.yarn_id != numbers::invalid_unsigned_int
+          ? 1.
+          : 0.,
+        static_cast<double>(element.fiber_a),
+        static_cast<double>(element.fiber_b),
+        static_cast<double>(zone_id)};
+      if (friction)
+        values.insert(values.end(),
+                      {friction->on_a[0],
+                       friction->on_a[1],
+                       friction->on_a[2],
+                       friction->ratio});
       patch.data.reinit(values.size(), 1);
       for (unsigned int c = 0; c < values.size(); ++c)
         patch.data(c, 0) = values[c];
@@ -136,21 +147,26 @@ namespace Heddle
 
 
     void
-    ContactOutput::write(const std::vector<Contact::ContactElement> &elements,
-                         const System::State                        &state,
-                         const unsigned int                          number,
-                         const double                                time,
-                         const std::string                          &stage)
+    ContactOutput::write(const std::vector<Contact::ContactElement>  &elements,
+                         const std::vector<Contact::TangentialForce> &friction,
+                         const System::State                         &state,
+                         const unsigned int                           number,
+                         const double                                 time,
+                         const std::string                           &stage)
     {
+      Assert(friction.size() == (with_friction ? elements.size() : 0),
+             ExcDimensionMismatch(friction.size(), elements.size()));
       const unsigned int first_zone =
         internal::ContactOutput::first_zone(elements, space.communicator());
 
-      PatchFile<0> file(fields());
-      for (const auto &element : elements)
-        if (space.owns(element.fiber_a))
+      PatchFile<0> file(fields(with_friction));
+      for (std::size_t i = 0; i < elements.size(); ++i)
+        if (space.owns(elements[i].fiber_a))
           {
-            file.patches.push_back(
-              patch(element, state, first_zone + element.zone));
+            file.patches.push_back(patch(elements[i],
+                                         with_friction ? &friction[i] : nullptr,
+                                         state,
+                                         first_zone + elements[i].zone));
             file.patches.back().patch_index = file.patches.size() - 1;
           }
       file.write(collection.path(number), space.communicator());

@@ -70,6 +70,27 @@ resistance(Scene &scene)
 
 
 
+/** What contact elements say acts on that fiber, and how many of them slip. */
+std::pair<Tensor<1, 3>, double>
+told_by_elements(const Scene &scene, const Contributions::FiberContact &contact)
+{
+  const auto forces = std::dynamic_pointer_cast<Contributions::FiberFriction>(
+                        scene.contributions.back())
+                        ->tangential_forces(*scene.state);
+  Tensor<1, 3> sum;
+  double       n_touching = 0., n_slipping = 0.;
+  for (unsigned int i = 0; i < forces.size(); ++i)
+    {
+      const auto &element = contact.elements()[i];
+      sum += (element.fiber_a == 1 ? 1. : -1.) * forces[i].on_a;
+      n_touching += element.force > 0.;
+      n_slipping += std::abs(forces[i].ratio - 1.) < 1e-12;
+    }
+  return {sum, n_slipping / n_touching};
+}
+
+
+
 /** To three digits behind the point, zero without a sign. */
 double
 rounded(const double value)
@@ -168,12 +189,18 @@ coefficients(const std::string &what, const double expected)
     contact.crossed_friction = 0.5;
   else
     contact.friction_of_sets.emplace(what, 0.2);
-  describe(scene, contact, "director", 1e6, "0.2*t", "0");
-  bool converged     = scene.step(0.).converged;
-  converged          = scene.step(1.).converged && converged;
-  const double force = resistance(scene);
+  const auto touch = describe(scene, contact, "director", 1e6, "0.2*t", "0");
+  bool       converged = scene.step(0.).converged;
+  converged            = scene.step(1.).converged && converged;
+  const double force   = resistance(scene);
+  const auto   told    = told_by_elements(scene, *touch);
+  const double drags   = -told.first[0] / (friction * ::force);
   deallog << what << ": force of slip over mu N " << rounded(force)
-          << verdict(converged && std::abs(force - expected) < 1e-3)
+          << ", told by elements " << rounded(drags) << ", across "
+          << rounded(told.first[1]) << " and " << rounded(told.first[2])
+          << ", part that slips " << told.second
+          << verdict(converged && std::abs(force - expected) < 1e-3 &&
+                     std::abs(drags - expected) < 1e-3)
           << std::endl;
 }
 

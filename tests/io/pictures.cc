@@ -118,15 +118,23 @@ contacts()
   element.penalty = 40.;
   element.normal  = Tensor<1, 3>({0., 0., 1.});
 
-  Heddle::IO::ContactOutput output(fabric.space, "contact_files");
-  const auto  patch = output.patch(element, fabric.state, /*zone_id=*/3);
-  const auto &names = Heddle::IO::ContactOutput::fields();
-  deallog << "at " << patch.vertices[0] << std::endl;
-  for (unsigned int i = 1; i < names.size(); ++i)
-    deallog << names[i] << " " << patch.data(i + 2, 0) << std::endl;
+  const Heddle::Contact::TangentialForce friction = {
+    Tensor<1, 3>({0.1, -0.2, 0.}), 0.75};
 
-  output.write({element}, fabric.state, 0, 0., "settle");
-  output.write({}, fabric.state, 1, 1., "settle");
+  Heddle::IO::ContactOutput output(fabric.space,
+                                   /*with_friction=*/true,
+                                   "contact_files");
+  const auto                patch =
+    output.patch(element, &friction, fabric.state, /*zone_id=*/3);
+  const auto names = Heddle::IO::ContactOutput::fields(true);
+  deallog << "at " << patch.vertices[0] << std::endl;
+  unsigned int row = 0;
+  for (const std::string &name : names)
+    for (unsigned int d = 0; d < (name.back() == ']' ? 3 : 1); ++d)
+      deallog << name << " " << patch.data(row++, 0) << std::endl;
+
+  output.write({element}, {friction}, fabric.state, 0, 0., "settle");
+  output.write({}, {}, fabric.state, 1, 1., "settle");
   for (const std::string number : {"0", "1"})
     deallog << "points in file " << number << ": "
             << count_points("contact_files/contacts/contacts-0000" + number +

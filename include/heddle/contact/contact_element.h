@@ -29,6 +29,13 @@ namespace Heddle
       double penalty;  /**< force per length per penetration [N/mm^2] */
       Tensor<1, 3> normal; /**< unit vector from b to a */
     };
+
+    /** What friction does where two particles touch. */
+    struct TangentialForce
+    {
+      Tensor<1, 3> on_a;       /**< its opposite acts on b [N] */
+      double       ratio = 0.; /**< of the limit: 1 where they slip [-] */
+    };
   } // namespace Contact
 } // namespace Heddle
 

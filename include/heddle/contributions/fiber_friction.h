@@ -89,6 +89,13 @@ namespace Heddle
       void
       accept_step(const System::State &state) override;
 
+      /**
+       * What it does at each element of the contact from which its own were
+       * placed, none where nothing touches or rubs.
+       */
+      std::vector<Contact::TangentialForce>
+      tangential_forces(const System::State &state) const;
+
       /** Nothing was displaced or dissipated yet. */
       void
       forget();
