@@ -132,7 +132,8 @@ def plot_loading(directory, folder):
         axes.legend(frameon=False, fontsize=9)
     if any(case.has("warp_matrix_force") or case.has("shear_matrix_couple") or
            case.has("bending_matrix_moment") for case in cases):
-        figure.supxlabel("dashed: on the sides of the matrix", fontsize=9)
+        figure.supxlabel("dashed: in proportion to the forces on sides of the matrix",
+                         fontsize=9)
     save(figure, folder, "loading.png")
 
 

@@ -30,6 +30,14 @@ namespace Heddle
 
 
 
+  bool
+  StepTable::has_column(const std::string &name) const
+  {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+
+
   void
   StepTable::begin_row()
   {

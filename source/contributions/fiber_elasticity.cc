@@ -315,14 +315,23 @@ namespace Heddle
                             std::map<std::string, double> &values) const
     {
       Beam::Element::EnergySplit energy;
+      double largest_stress = -std::numeric_limits<double>::max();
       for_each_element(
         state,
         [&](const unsigned int f, const unsigned int e, unsigned int first) {
+          const System::Fiber &fiber  = space.fiber(f);
+          const Tensor<1, 3>  *blocks = state.current().data() + first;
+          const double         length = space.element_length(f, e);
+          const double        *free   = reference_strains(f, e);
           const Beam::Element::EnergySplit split =
-            space.element().energy_split(space.fiber(f).section,
-                                         state.current().data() + first,
-                                         space.element_length(f, e),
-                                         reference_strains(f, e));
+            space.element().energy_split(fiber.section, blocks, length, free);
+          const auto state_of_section =
+            space.element().section_state(fiber.section, blocks, length, free);
+          largest_stress =
+            std::max(largest_stress,
+                     fiber.section.largest_stress(fiber.radius,
+                                                  state_of_section.axial_strain,
+                                                  state_of_section.curvature));
           energy.axial += split.axial;
           energy.bending += split.bending;
           energy.shear += split.shear;
@@ -335,6 +344,8 @@ namespace Heddle
       values["shear_energy[N*mm]"]   = energy.shear;
       values["torsion_energy[N*mm]"] = energy.torsion;
       values["section_energy[N*mm]"] = energy.section;
+      max_over_ranks(largest_stress, space.communicator());
+      values["max_fiber_stress[MPa]"] = largest_stress;
     }
   } // namespace Contributions
 } // namespace Heddle

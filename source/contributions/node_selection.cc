@@ -23,8 +23,9 @@ namespace Heddle
         "('warp 0' is the first one), of yarns by their number "
         "in 'yarns.csv' ('yarn 3'), and of numbers of fibers, "
         "from 0, in the order of the file. In a weave warp and "
-        "weft yarns take turns: fibers of the first warp yarn, "
-        "of the first weft yarn, of the second warp yarn... "
+        "weft yarns take turns by their places, number i of n, from 0, at "
+        "(i + 1/2) / n: fibers of the first warp yarn, of the first weft "
+        "yarn, of the second warp yarn... if there are as many of both. "
         "The name of a set that stands for other fibers too, "
         "as '1' for fiber 1, is refused; so is a load on 'none' [-].");
       add_choice(

@@ -396,8 +396,7 @@ namespace Heddle
         {
           sums.force[k % n_plates] += touches[k].force;
           sums.energy += touches[k].energy;
-          deepest = std::max(
-            deepest, touches[k].penetration / space.fiber(fiber_of(k)).radius);
+          deepest = std::max(deepest, in_radii(k));
         }
       for (auto point = points.begin(); point != points.end(); ++point)
         if (point == points.begin() || point->touch != (point - 1)->touch ||
@@ -501,14 +500,13 @@ namespace Heddle
       bool changed = false;
       for (unsigned int k = 0; k < touches.size(); ++k)
         {
-          Touch       &touch   = touches[k];
-          const double allowed = threshold * space.fiber(fiber_of(k)).radius;
-          const double most    = growth_in_all * first_penalty(fiber_of(k));
-          if (touch.penetration <= allowed || touch.penalty >= most)
+          Touch       &touch = touches[k];
+          const double depth = in_radii(k);
+          const double most  = growth_in_all * first_penalty(fiber_of(k));
+          if (depth <= threshold || touch.penalty >= most)
             continue;
-          const double growth = std::min({touch.penetration / (aim * allowed),
-                                          growth_at_once,
-                                          most / touch.penalty});
+          const double growth = std::min(
+            {depth / (aim * threshold), growth_at_once, most / touch.penalty});
           touch.penalty *= growth;
           touch.hardened *= growth;
           changed = true;

@@ -16,7 +16,7 @@ namespace Heddle
                   "Matrix sides",
                   matrix_sides,
                   "Sides of the matrix that move as 'Displacement' says, as "
-                  "in 'x-, x+'. Inactive without a matrix [-].");
+                  "in 'x-, x+'. Refused without a matrix [-].");
       for (unsigned int d = 0; d < 3; ++d)
         add_parameter(std::string("Displacement ") + "xyz"[d],
                       displacement[d],

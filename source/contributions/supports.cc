@@ -84,7 +84,8 @@ namespace Heddle
       reference.assign(state.current().begin(),
                        state.current().begin() + state.n_owned_blocks());
       blocks = find_held_blocks(space, reference, supports, state.matrix());
-      accepted_load_factor = state.load_factor;
+      accepted_load_factor.reset();
+      begins_stage = true;
     }
 
 
@@ -267,6 +268,21 @@ namespace Heddle
     void
     Supports::accept_step(const System::State &state)
     {
+      if (begins_stage)
+        work.add_step(state);
+      else
+        {
+          work.add_step(state, turns_of_step(state));
+          accepted_load_factor = state.load_factor;
+        }
+      begins_stage = false;
+    }
+
+
+
+    std::vector<ExternalWork::Turn>
+    Supports::turns_of_step(const System::State &state) const
+    {
       std::vector<ExternalWork::Turn> turns;
       for (const HeldBlock &held : blocks)
         {
@@ -277,23 +293,27 @@ namespace Heddle
           for (const unsigned int holder : held.holder)
             if (holder != HeldBlock::nobody && motions[holder].angle)
               {
-                const Expression  &angle = *motions[holder].angle;
-                const Tensor<1, 3> lever =
-                  held.kind == HeldBlock::Kind::position
-                    ? rotation(held, accepted_load_factor) *
-                        (held.reference - held.position)
-                    : state.accepted()[block];
+                const auto angle = [&](const double load_factor) {
+                  return motions[holder].angle->value(held.position - origin,
+                                                      load_factor);
+                };
+                Tensor<1, 3> lever = state.accepted()[block];
+                if (held.kind == HeldBlock::Kind::position)
+                  {
+                    lever = held.reference - held.position;
+                    if (accepted_load_factor)
+                      lever = rotation(held, *accepted_load_factor) * lever;
+                  }
+                const double before =
+                  accepted_load_factor ? angle(*accepted_load_factor) : 0.;
                 turns.push_back(
                   {block,
-                   (angle.value(held.position - origin, state.load_factor) -
-                    angle.value(held.position - origin, accepted_load_factor)) *
-                     motions[holder].axis,
+                   (angle(state.load_factor) - before) * motions[holder].axis,
                    lever});
                 break;
               }
         }
-      work.add_step(state, turns);
-      accepted_load_factor = state.load_factor;
+      return turns;
     }
 
 
@@ -303,6 +323,8 @@ namespace Heddle
     {
       System::write_blocks(archive, name() + "/reference", state, reference);
       work.save(archive, name(), state);
+      archive.write_number(name() + "/has_moved",
+                           accepted_load_factor ? 1. : 0.);
     }
 
 
@@ -313,7 +335,9 @@ namespace Heddle
       reference = System::read_blocks(archive, name() + "/reference", state);
       blocks    = find_held_blocks(space, reference, supports, state.matrix());
       work.load(archive, name(), state);
-      accepted_load_factor = state.load_factor;
+      accepted_load_factor.reset();
+      if (archive.read_number(name() + "/has_moved") > 0.)
+        accepted_load_factor = state.load_factor;
     }
   } // namespace Contributions
 } // namespace Heddle

@@ -13,14 +13,15 @@ namespace Heddle
     {
       namespace FiberOutput
       {
-        constexpr unsigned int n_section_values = 12;
+        constexpr unsigned int n_section_values = 13;
 
         using SectionValues = std::array<double, n_section_values>;
 
 
 
         SectionValues
-        to_values(const Beam::Element::SectionState &s)
+        to_values(const System::Fiber               &fiber,
+                  const Beam::Element::SectionState &s)
         {
           return {{s.axial_strain,
                    s.shear_strain[0],
@@ -33,7 +34,9 @@ namespace Heddle
                    s.shear_force[1],
                    s.torque,
                    s.bending_moment[0],
-                   s.bending_moment[1]}};
+                   s.bending_moment[1],
+                   fiber.section.largest_stress(
+                     fiber.radius, s.axial_strain, s.curvature)}};
         }
 
 
@@ -81,11 +84,13 @@ namespace Heddle
             {
               const double length = space.element_length(f, e);
               curve.middles.push_back(begin + 0.5 * length);
-              curve.values.push_back(to_values(space.element().section_state(
-                fiber.section,
-                state.fiber(f) + space.first_block_of_element(e),
-                length,
-                reference_strains(f, e))));
+              curve.values.push_back(
+                to_values(fiber,
+                          space.element().section_state(
+                            fiber.section,
+                            state.fiber(f) + space.first_block_of_element(e),
+                            length,
+                            reference_strains(f, e))));
               begin += length;
             }
           return curve;
@@ -160,7 +165,8 @@ namespace Heddle
                                                      "shear_force_3",
                                                      "torque",
                                                      "bending_moment_2",
-                                                     "bending_moment_3"};
+                                                     "bending_moment_3",
+                                                     "max_fiber_stress"};
       return names;
     }
 

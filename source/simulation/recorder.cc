@@ -42,12 +42,49 @@ namespace Heddle
 
 
 
+      /** Whether @p name has this ending. */
+      bool
+      ends_with(const std::string &name, const std::string &ending)
+      {
+        return name.size() >= ending.size() &&
+               name.compare(
+                 name.size() - ending.size(), ending.size(), ending) == 0;
+      }
+
+
+
+      /** What a fabric is measured by while it is loaded, the same on all
+       * ranks; nothing without yarns or stations. @note Collective. */
+      std::map<std::string, double>
+      measures_of_fabric(Scene &scene, const unsigned int n_stations)
+      {
+        std::map<std::string, double> measures;
+        if (scene.space().n_yarns() == 0 || n_stations == 0)
+          return measures;
+        for (const auto &result :
+             FabricReport(scene.state()).results(n_stations, {}))
+          for (const char *ending : {"crimp[-]",
+                                     "thickness[mm]",
+                                     "spacing[mm]",
+                                     "aspect_ratio[-]",
+                                     "volume_fraction[-]"})
+            if (ends_with(result.first, ending))
+              measures.insert(result);
+        return Utilities::MPI::broadcast(scene.space().communicator(),
+                                         measures);
+      }
+
+
+
+      /** The same whatever is measured: a run may be resumed otherwise. */
       std::vector<IO::History::Column>
       columns_of(Scene &scene)
       {
-        auto values = scene.report();
+        constexpr unsigned int n_stations = 20;
+        auto                   values     = scene.report();
         if (EnergyBalance::is_in(values))
           values[energy_imbalance] = 0.;
+        values.merge(measures_of_fabric(scene, n_stations));
         std::vector<IO::History::Column> columns;
         for (const auto &value : values)
           columns.push_back(split(value.first));
@@ -210,8 +247,8 @@ namespace Heddle
           directory, scene.space().communicator(), next);
       if (parameters.output.interval > 0 && parameters.output.contacts &&
           scene.contact())
-        contacts =
-          std::make_unique<IO::ContactOutput>(scene.space(), directory, next);
+        contacts = std::make_unique<IO::ContactOutput>(
+          scene.space(), scene.friction() != nullptr, directory, next);
       if (parameters.output.interval > 0 && parameters.output.matrix &&
           parameters.matrix.enabled)
         matrix = std::make_unique<IO::MatrixOutput>(
@@ -350,6 +387,10 @@ namespace Heddle
             balance.add(values);
           values[energy_imbalance] = balance.imbalance();
         }
+      for (const auto &measure :
+           measures_of_fabric(scene, parameters.output.yarn_stations))
+        if (history.has_column(split(measure.first).first))
+          values.insert(measure);
       add_to_history(place, result, values);
     }
 
@@ -419,6 +460,9 @@ namespace Heddle
           group);
       if (contacts)
         contacts->write(scene.contact()->elements(),
+                        scene.friction()
+                          ? scene.friction()->tangential_forces(scene.state())
+                          : std::vector<Contact::TangentialForce>(),
                         scene.state(),
                         place.number,
                         time,

@@ -13,8 +13,9 @@ namespace Heddle
                     "configuration of a weave is taken instead of being "
                     "computed; ranks, friction, matrix and loads may be others "
                     "there. Its path begins where the program is started. "
-                    "Section 'Initial configuration' is idle then. Empty: "
-                    "compute it [-].");
+                    "Of section 'Initial configuration' the last penetration "
+                    "threshold alone has an effect then. Empty: compute it "
+                    "[-].");
       add_parameter("Stress free",
                     stress_free,
                     "Whether fibers are free of stress, and of contact forces, "

@@ -30,14 +30,15 @@ namespace Heddle
                     friction,
                     "Whether fibers rub already while they settle, or only "
                     "when they are loaded. Inactive without friction [-].");
-      add_parameter("Penetration thresholds",
-                    listed_thresholds,
-                    "Thresholds of penetration over radius, descending, each "
-                    "of which is settled before the next, as in '0.05, 0.02'; "
-                    "the last one holds in place of Contact/Penetration "
-                    "threshold. Empty: that one alone [-].",
-                    prm,
-                    Patterns::List(Patterns::Double(1e-4, 0.2)));
+      add_parameter(
+        "Penetration thresholds",
+        listed_thresholds,
+        "Thresholds of penetration over radius, descending, each "
+        "of which is settled before the next, as in '0.05, 0.02'; "
+        "the last one holds in place of Contact/Penetration "
+        "threshold, in what follows too. Empty: that one alone [-].",
+        prm,
+        Patterns::List(Patterns::Double(1e-4, 0.2)));
     }
 
 

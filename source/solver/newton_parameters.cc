@@ -48,8 +48,8 @@ namespace Heddle
         "Stiffness per length that holds the nodes back in the "
         "first iteration from an unsettled state, in units of "
         "E A / R^2; then it adapts to how each fiber moves. With 0 "
-        "nothing is ever held back. Inactive without contact and plates "
-        "[-].",
+        "nothing is ever held back. Without contact and plates only "
+        "searches for a stable equilibrium are [-].",
         prm,
         Patterns::Double(0.));
     }

@@ -64,12 +64,6 @@ namespace Heddle
       }
 
 
-
-      /**
-       * Largest number of blocks of one term: a point of a fiber in a
-       * hexahedron of degree 2, four and 27.
-       */
-      constexpr unsigned int max_blocks = 31;
     } // namespace
 
 
@@ -170,7 +164,8 @@ namespace Heddle
                      const double       *residual,
                      const double       *tangent)
     {
-      Assert(n <= max_blocks, ExcInternalError());
+      AssertThrow(n <= max_blocks_of_term,
+                  ExcIndexRange(n, 0, max_blocks_of_term + 1));
       const unsigned int n_owned = state.n_owned_blocks();
       for (unsigned int i = 0; i < n; ++i)
         if (blocks[i] < n_owned)
@@ -197,8 +192,8 @@ namespace Heddle
                         const double       *tangent)
     {
       // In ascending order own blocks come first.
-      const unsigned int                   n_owned = state.n_owned_blocks();
-      std::array<unsigned int, max_blocks> places, sorted;
+      const unsigned int n_owned = state.n_owned_blocks();
+      std::array<unsigned int, max_blocks_of_term> places, sorted;
       std::iota(places.begin(), places.begin() + n, 0);
       if (!std::is_sorted(blocks, blocks + n))
         std::sort(places.begin(),
@@ -214,8 +209,8 @@ namespace Heddle
         }
 
       // Rows of other ranks are theirs to add.
-      std::array<double, 9 * max_blocks> row_values;
-      std::array<PetscInt, max_blocks>   columns;
+      std::array<double, 9 * max_blocks_of_term> row_values;
+      std::array<PetscInt, max_blocks_of_term>   columns;
       for (unsigned int r = 0; r < n_own; ++r)
         {
           const double *rows = tangent + 9 * n * places[r];

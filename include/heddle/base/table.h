@@ -18,6 +18,9 @@ namespace Heddle
     void
     add_column(const std::string &name, const std::string &unit);
 
+    bool
+    has_column(const std::string &name) const;
+
     /** Begin a row. Entries that are not set stay empty in the file. */
     void
     begin_row();

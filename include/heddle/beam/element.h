@@ -1,8 +1,10 @@
 #ifndef heddle_beam_element_h
 #define heddle_beam_element_h
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/tensor.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -49,6 +51,25 @@ namespace Heddle
       double thickness = 0.; /**< S A, resists the strains of the section [N] */
       double gradient  = 0.; /**< S I, resists their gradients [N mm^2] */
       double poisson_ratio = 0.; /**< couples axial and section strains [-] */
+
+      /**
+       * Return the largest tensile stress along a fiber of radius @p radius R
+       * [mm] in a section with such strains [MPa], below 0 where all of it is
+       * compressed,
+       * @f[ \sigma = E \left(\varepsilon + r |\kappa|\right), \qquad
+       *     E = \frac{E A}{\pi R^2}, \qquad r = 2 \sqrt{\frac{E I}{E A}}. @f]
+       * Of a full circle r is R, and of a fiber that stands for filaments their
+       * radius: each is bent by itself.
+       */
+      double
+      largest_stress(const double        radius,
+                     const double        axial_strain,
+                     const Tensor<1, 2> &curvature) const
+      {
+        const double outside = 2. * std::sqrt(bending / axial);
+        return axial / (numbers::PI * radius * radius) *
+               (axial_strain + outside * curvature.norm());
+      }
     };
 
     /**

@@ -212,6 +212,13 @@ namespace Heddle
         return space.owned_fibers().first + touch / n_plates;
       }
 
+      /** How deep it is, as the threshold is meant. */
+      double
+      in_radii(const unsigned int touch) const
+      {
+        return touches[touch].penetration / space.fiber(fiber_of(touch)).radius;
+      }
+
       /** 1 for the upper plate, -1 for the lower one: outwards along z. */
       static double
       outwards(const unsigned int touch)

@@ -121,6 +121,10 @@ namespace Heddle
       Tensor<2, 3>
       rotation(const HeldBlock &held, const double load_factor) const;
 
+      /** What turned since the last step was accepted. */
+      std::vector<ExternalWork::Turn>
+      turns_of_step(const System::State &state) const;
+
       /** The component along which the node of a block may slide, if any. */
       std::optional<unsigned int>
       slides_along(const HeldBlock &held) const;
@@ -136,7 +140,12 @@ namespace Heddle
       std::vector<Motion>       motions;
       std::vector<Reaction>     reactions;
       ExternalWork              work;
-      double                    accepted_load_factor = 0.; /**< [-] */
+
+      /** Of the last step; none yet: nothing is turned [-]. */
+      std::optional<double> accepted_load_factor;
+
+      /** Whether the configuration in which a stage begins is accepted next. */
+      bool begins_stage = false;
     };
   } // namespace Contributions
 } // namespace Heddle

@@ -35,6 +35,12 @@ namespace Heddle
               const MPI_Comm             communicator,
               const std::vector<Column> &more_columns = {});
 
+      bool
+      has_column(const std::string &name) const
+      {
+        return table.has_column(name);
+      }
+
       /** Append a row; columns that are not named stay empty. */
       void
       add(const std::map<std::string, double> &row);

@@ -113,10 +113,16 @@ namespace Heddle
       }
 
       /**
-       * Add the term of @p n local blocks: @p residual (3n numbers) and
-       * @p tangent (3n x 3n by rows; not read if not wanted), which is
-       * symmetric: one half is kept. Rows of foreign blocks are left to their
-       * owners.
+       * Largest number of blocks of one term: a point of a fiber in a
+       * hexahedron of degree 2, four and 27.
+       */
+      static constexpr unsigned int max_blocks_of_term = 31;
+
+      /**
+       * Add the term of @p n local blocks, max_blocks_of_term at most:
+       * @p residual (3n numbers) and @p tangent (3n x 3n by rows; not read if
+       * not wanted), which is symmetric: one half is kept. Rows of foreign
+       * blocks are left to their owners.
        */
       void
       add(const unsigned int  n,
