@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace Heddle
@@ -42,49 +43,38 @@ namespace Heddle
 
 
 
-      /** Whether @p name has this ending. */
-      bool
-      ends_with(const std::string &name, const std::string &ending)
+      /** What a fabric is measured by in each step, with units, whether it is
+       * or not: a run may be resumed otherwise. */
+      std::vector<std::string>
+      measures_of_fabric(const System::FiberSpace &space)
       {
-        return name.size() >= ending.size() &&
-               name.compare(
-                 name.size() - ending.size(), ending.size(), ending) == 0;
+        std::set<std::string> names;
+        for (unsigned int f = 0; f < space.n_fibers(); ++f)
+          if (space.fiber(f).yarn_id != numbers::invalid_unsigned_int)
+            {
+              const std::string &set    = space.fiber(f).set;
+              const std::string  of_set = set.empty() ? "" : set + "_";
+              for (const char *name : {"crimp[-]",
+                                       "inner_crimp[-]",
+                                       "spacing[mm]",
+                                       "aspect_ratio[-]",
+                                       "volume_fraction[-]"})
+                names.insert(of_set + name);
+              names.insert({"thickness[mm]", "fiber_volume_fraction[-]"});
+            }
+        return {names.begin(), names.end()};
       }
 
 
 
-      /** What a fabric is measured by while it is loaded, the same on all
-       * ranks; nothing without yarns or stations. @note Collective. */
-      std::map<std::string, double>
-      measures_of_fabric(Scene &scene, const unsigned int n_stations)
-      {
-        std::map<std::string, double> measures;
-        if (scene.space().n_yarns() == 0 || n_stations == 0)
-          return measures;
-        for (const auto &result :
-             FabricReport(scene.state()).results(n_stations, {}))
-          for (const char *ending : {"crimp[-]",
-                                     "thickness[mm]",
-                                     "spacing[mm]",
-                                     "aspect_ratio[-]",
-                                     "volume_fraction[-]"})
-            if (ends_with(result.first, ending))
-              measures.insert(result);
-        return Utilities::MPI::broadcast(scene.space().communicator(),
-                                         measures);
-      }
-
-
-
-      /** The same whatever is measured: a run may be resumed otherwise. */
       std::vector<IO::History::Column>
       columns_of(Scene &scene)
       {
-        constexpr unsigned int n_stations = 20;
-        auto                   values     = scene.report();
+        auto values = scene.report();
         if (EnergyBalance::is_in(values))
           values[energy_imbalance] = 0.;
-        values.merge(measures_of_fabric(scene, n_stations));
+        for (const std::string &name : measures_of_fabric(scene.space()))
+          values.insert({name, 0.});
         std::vector<IO::History::Column> columns;
         for (const auto &value : values)
           columns.push_back(split(value.first));
@@ -387,11 +377,25 @@ namespace Heddle
             balance.add(values);
           values[energy_imbalance] = balance.imbalance();
         }
-      for (const auto &measure :
-           measures_of_fabric(scene, parameters.output.yarn_stations))
-        if (history.has_column(split(measure.first).first))
-          values.insert(measure);
+      measure_fabric(values);
       add_to_history(place, result, values);
+    }
+
+
+
+    void
+    Recorder::measure_fabric(std::map<std::string, double> &values) const
+    {
+      const unsigned int n_stations = parameters.output.yarn_stations;
+      if (scene.space().n_yarns() == 0 || n_stations == 0)
+        return;
+      // Checkpoints hold the history, and all ranks write them.
+      const auto results = Utilities::MPI::broadcast(
+        scene.space().communicator(),
+        FabricReport(scene.state()).results(n_stations, {}));
+      for (const auto &result : results)
+        if (history.has_column(split(result.first).first))
+          values.insert(result);
     }
 
 

@@ -219,6 +219,11 @@ namespace Heddle
                    const double       time,
                    const std::string &group);
 
+      /** Add what a fabric is measured by in each step, if wanted.
+       * @note Collective. */
+      void
+      measure_fabric(std::map<std::string, double> &values) const;
+
       /** Sections of the yarns and what a data sheet says of the fabric, if
        * they are asked for. @note Collective. */
       void
