@@ -205,6 +205,21 @@ namespace Heddle
 
 
 
+      /** "0.012 s", "25 s" or "7 min". */
+      std::string
+      in_words(const double seconds)
+      {
+        std::ostringstream text;
+        text << std::setprecision(seconds < 100. ? 2 : 3);
+        if (seconds < 100.)
+          text << seconds << " s";
+        else
+          text << std::ceil(seconds / 60.) << " min";
+        return text.str();
+      }
+
+
+
       void
       print_estimate(Log                 &log,
                      const SceneEstimate &estimate,
@@ -215,12 +230,14 @@ namespace Heddle
             << (estimate.is_factorized ? "direct" : "fiber blocks")
             << "\nMemory         about " << std::fixed << std::setprecision(0)
             << std::ceil(estimate.memory / 1e6) << " MB"
-            << "\nTime           about " << std::setprecision(1)
-            << std::max(0.1, estimate.seconds) << " s for a Newton iteration; "
-            << (settles(scene, parameters)
-                  ? "an initial configuration takes 40 to 160, "
-                  : "")
-            << "a load step "
+            << "\nTime           about " << in_words(estimate.seconds)
+            << " for a Newton iteration; ";
+        const auto [few, many] = estimate.iterations_to_settle;
+        if (settles(scene, parameters))
+          log << "an initial configuration takes " << few << " to " << many
+              << ", " << in_words(few * estimate.seconds) << " to "
+              << in_words(many * estimate.seconds) << ", ";
+        log << "a load step "
             << (scene.is_fabric() && !parameters.plates.are_there() ? "3 to 20"
                                                                     : "3 to 60")
             << std::endl;

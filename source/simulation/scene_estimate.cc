@@ -44,6 +44,30 @@ namespace Heddle
         return idle + fibers +
                times * n_matrix_nodes * per_node * 9. * sizeof(double);
       }
+
+
+
+      /** As benchmarks.md has them ("Size", "The paper's fabrics"): friction
+       * holds fibers that would go on from neighbour to neighbour. */
+      std::pair<unsigned int, unsigned int>
+      iterations_of_settling(const Scene &scene, const Parameters &parameters)
+      {
+        constexpr unsigned int                many_fibers = 500;
+        std::pair<unsigned int, unsigned int> result(40, 300);
+        if (scene.friction() && parameters.settle.friction)
+          result = scene.space().n_fibers() > many_fibers
+                     ? std::make_pair(80u, 250u)
+                     : std::make_pair(30u, 100u);
+        if (parameters.weave.description().start ==
+            Textile::Start::interpenetrating)
+          {
+            const unsigned int ordering =
+              parameters.ordering.n_steps * parameters.ordering.iterations;
+            result.first += ordering;
+            result.second += ordering;
+          }
+        return result;
+      }
     } // namespace
 
 
@@ -67,6 +91,7 @@ namespace Heddle
       const double n_dofs = scene.space().n_dofs() + 3. * matrix.n_nodes;
       seconds             = (is_factorized ? 16e-6 : 4e-6) * n_dofs /
                 Utilities::MPI::n_mpi_processes(scene.space().communicator());
+      iterations_to_settle = iterations_of_settling(scene, parameters);
     }
   } // namespace Simulation
 } // namespace Heddle

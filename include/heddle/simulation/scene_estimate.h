@@ -4,6 +4,8 @@
 #include <heddle/simulation/matrix_estimate.h>
 #include <heddle/simulation/scene.h>
 
+#include <utility>
+
 namespace Heddle
 {
   namespace Simulation
@@ -24,6 +26,9 @@ namespace Heddle
 
       /** The time of one Newton iteration of fibers in contact [s]. */
       double seconds;
+
+      /** Of an initial configuration, from few to many, if there is one. */
+      std::pair<unsigned int, unsigned int> iterations_to_settle;
     };
   } // namespace Simulation
 } // namespace Heddle
