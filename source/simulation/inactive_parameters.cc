@@ -74,6 +74,7 @@ namespace Heddle
          "Run/Scene",
          is_not(SceneKind::centerlines)},
         {{"Initial configuration/Axial tension",
+          "Initial configuration/Axial tension of weft",
           "Initial configuration/Guide stiffness",
           "Initial configuration/Friction",
           "Initial configuration/Ordering"},

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -70,15 +71,18 @@ namespace Heddle
 
 
 
-      /** "94.3" or, where fibers differ, "94.3 to 120" [MPa]. */
+      /** "94.3" or, where fibers differ, "94.3 to 120" [MPa], at the strain of
+       * each set of fibers. */
       std::string
-      tension_in_words(const System::FiberSpace &space, const double strain)
+      tension_in_words(const System::FiberSpace                         &space,
+                       const std::function<double(const std::string &)> &strain)
       {
         double low = std::numeric_limits<double>::max(), high = 0.;
         for (unsigned int f = 0; f < space.n_fibers(); ++f)
           {
             const double radius = space.fiber(f).radius;
-            const double stress = strain * space.fiber(f).section.axial /
+            const double stress = strain(space.fiber(f).set) *
+                                  space.fiber(f).section.axial /
                                   (numbers::PI * radius * radius);
             low  = std::min(low, stress);
             high = std::max(high, stress);
@@ -134,12 +138,16 @@ namespace Heddle
           print_weights(log, *scene.weave(), parameters.weave.description());
         if (settles(scene, parameters))
           log << "Tension        "
-              << tension_in_words(space, parameters.settle.axial_tension)
+              << tension_in_words(space,
+                                  [&parameters](const std::string &set) {
+                                    return parameters.settle.tension_of(set);
+                                  })
               << " MPa in every fiber while the fabric settles, with which a "
                  "test begins (Initial configuration/Axial tension)\n";
         // The stress at a strain of 1e-3, in MPa, is the modulus in GPa, as
         // data sheets have it.
-        log << "Stiffness      " << tension_in_words(space, /*strain=*/1e-3)
+        log << "Stiffness      "
+            << tension_in_words(space, [](const std::string &) { return 1e-3; })
             << " GPa along the fibers (Fiber/Axial modulus, or Axial "
                "stiffness over the area)\n"
             << "Extent         " << extent_in_words(scene) << " at the start\n"

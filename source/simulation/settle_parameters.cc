@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/yarn_set.h>
 #include <heddle/simulation/settle_parameters.h>
 
 #include <sstream>
@@ -16,6 +17,13 @@ namespace Heddle
                     "along its yarn, would stretch it if it were straight. "
                     "Inactive if Run/Scene is 'centerlines', like all of this "
                     "section [-].",
+                    prm,
+                    Patterns::Double(0., 0.1));
+      add_parameter("Axial tension of weft",
+                    weft_tension,
+                    "Likewise of the weft where it is pulled otherwise than "
+                    "the warp: the one that is pulled less has more of the "
+                    "crimp. 0: as the warp [-].",
                     prm,
                     Patterns::Double(0., 0.1));
       add_parameter("Guide stiffness",
@@ -39,6 +47,15 @@ namespace Heddle
         "threshold, in what follows too. Empty: that one alone [-].",
         prm,
         Patterns::List(Patterns::Double(1e-4, 0.2)));
+    }
+
+
+
+    double
+    SettleParameters::tension_of(const std::string &set) const
+    {
+      return set == word(YarnSet::weft) && weft_tension > 0. ? weft_tension
+                                                             : axial_tension;
     }
 
 

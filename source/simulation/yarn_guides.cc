@@ -32,7 +32,7 @@ namespace Heddle
                                    fiber.section.axial /
                                    (numbers::PI * fiber.radius);
           const Tensor<1, 3> tension =
-            parameters.axial_tension * fiber.section.axial * along;
+            parameters.tension_of(fiber.set) * fiber.section.axial * along;
           const auto        &points = paths[f].points;
           const unsigned int last = fiber.n_nodes - 1, middle = last / 2;
           if (ends[f][0])

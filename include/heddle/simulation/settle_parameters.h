@@ -3,6 +3,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <string>
 #include <vector>
 
 namespace Heddle
@@ -21,11 +22,17 @@ namespace Heddle
       std::vector<double>
       thresholds(const double contact_threshold) const;
 
-      double axial_tension   = 0.006;
+      /** The strain that the force on the ends of a fiber of @p set would make
+       * [-]. */
+      double
+      tension_of(const std::string &set) const;
+
       double guide_stiffness = 0.1;
       bool   friction        = true;
 
     private:
+      double              axial_tension = 0.006;
+      double              weft_tension  = 0.;
       std::vector<double> listed_thresholds;
     };
   } // namespace Simulation
