@@ -429,13 +429,17 @@ namespace Heddle
                 of_pairs.residual()[3 * i + d] += term.weights[i] * force[d];
             if (system.wants_tangent())
               {
-                double *sum = of_pairs.tangent();
-                for (unsigned int i = 0; i < 8; ++i)
-                  for (unsigned int d = 0; d < 3; ++d)
+                double                               *sum = of_pairs.tangent();
+                std::array<std::array<double, 24>, 3> rows;
+                for (unsigned int d = 0; d < 3; ++d)
+                  for (unsigned int e = 0; e < 3; ++e)
                     for (unsigned int j = 0; j < 8; ++j)
-                      for (unsigned int e = 0; e < 3; ++e)
-                        *sum++ += term.weights[i] * term.weights[j] *
-                                  term.stiffness[d][e];
+                      rows[d][3 * j + e] =
+                        term.weights[j] * term.stiffness[d][e];
+                for (unsigned int i = 0; i < 8; ++i)
+                  for (const auto &row : rows)
+                    for (const double value : row)
+                      *sum++ += term.weights[i] * value;
               }
           }
       for (SummedTerms *terms : {&of_pairs, &of_a, &of_b})

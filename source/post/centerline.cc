@@ -1,8 +1,8 @@
+#include <heddle/base/gather.h>
 #include <heddle/post/centerline.h>
 
-#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
-#include <array>
 #include <limits>
 #include <sstream>
 
@@ -45,30 +45,24 @@ namespace Heddle
     std::vector<Polyline>
     gather_centerlines(const System::State &state, const unsigned int n_pieces)
     {
-      // Plain numbers travel; the number of points per fiber is known.
-      std::vector<std::array<double, 3>> own;
-      const auto                         range = state.space.owned_fibers();
+      // The number of points per fiber is known.
+      std::vector<double> own;
+      const auto          range = state.space.owned_fibers();
       for (unsigned int f = range.first; f < range.second; ++f)
         for (const Tensor<1, 3> &point : centerline(state, f, n_pieces))
-          own.push_back({{point[0], point[1], point[2]}});
-
-      const auto all =
-        Utilities::MPI::gather(state.space.communicator(), own, /*root=*/0);
+          own.insert(own.end(), {point[0], point[1], point[2]});
+      const std::vector<double> all =
+        gather_on_first(own, state.space.communicator());
 
       std::vector<Polyline> lines;
-      unsigned int          f = 0;
-      for (const auto &points_of_rank : all)
-        for (unsigned int begin = 0; begin < points_of_rank.size(); ++f)
-          {
-            const unsigned int n_points =
-              (state.space.fiber(f).n_nodes - 1) * n_pieces + 1;
-            lines.emplace_back();
-            for (unsigned int k = begin; k < begin + n_points; ++k)
-              lines.back().push_back(Tensor<1, 3>({points_of_rank[k][0],
-                                                   points_of_rank[k][1],
-                                                   points_of_rank[k][2]}));
-            begin += n_points;
-          }
+      const double         *next = all.data();
+      for (unsigned int f = 0; next != all.data() + all.size(); ++f)
+        {
+          lines.emplace_back((state.space.fiber(f).n_nodes - 1) * n_pieces + 1);
+          for (Tensor<1, 3> &point : lines.back())
+            for (unsigned int d = 0; d < 3; ++d)
+              point[d] = *next++;
+        }
       return lines;
     }
 

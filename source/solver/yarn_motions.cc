@@ -1,3 +1,4 @@
+#include <heddle/base/gather.h>
 #include <heddle/base/petsc.h>
 #include <heddle/solver/yarn_motions.h>
 #include <heddle/solver/yarn_parts.h>
@@ -6,7 +7,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace Heddle
 {
@@ -339,25 +339,7 @@ namespace Heddle
           mine.push_back(block.first % n_all_stations);
           mine.insert(mine.end(), block.second.begin(), block.second.end());
         }
-      const MPI_Comm communicator = state.space.communicator();
-      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-        return mine;
-
-      const std::vector<int> sizes =
-        Utilities::MPI::all_gather(communicator, static_cast<int>(mine.size()));
-      std::vector<int> begins(sizes.size(), 0);
-      std::partial_sum(sizes.begin(), sizes.end() - 1, begins.begin() + 1);
-      std::vector<double> all(begins.back() + sizes.back());
-      const int           ierr = MPI_Allgatherv(mine.data(),
-                                      mine.size(),
-                                      MPI_DOUBLE,
-                                      all.data(),
-                                      sizes.data(),
-                                      begins.data(),
-                                      MPI_DOUBLE,
-                                      communicator);
-      AssertThrowMPI(ierr);
-      return all;
+      return gather_on_all(mine, state.space.communicator());
     }
 
 
