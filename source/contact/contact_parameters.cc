@@ -1,3 +1,4 @@
+#include <heddle/base/exceptions.h>
 #include <heddle/contact/contact_parameters.h>
 
 namespace Heddle
@@ -20,14 +21,15 @@ namespace Heddle
         prm,
         Patterns::Double(1e-4, 0.2));
       add_parameter("Search distance",
-                    search_distance,
+                    given_search_distance,
                     "Surfaces closer than this are watched for contact, as a "
                     "multiple of the largest radius. A larger one means fewer "
                     "searches and more to watch; no step moves a fiber by more "
                     "than 0.35 of it, nor of the sum of its radius and that of "
-                    "the thinnest fiber beside it [-].",
+                    "the thinnest fiber beside it. 0: 2 for fabrics, else 1 "
+                    "[-].",
                     prm,
-                    Patterns::Double(0.1, 4.));
+                    Patterns::Double(0., 4.));
       add_parameter("Refinement",
                     refinement,
                     "Number of contact cells in one interval between the nodes "
@@ -65,6 +67,20 @@ namespace Heddle
                     "without friction [-].",
                     prm,
                     Patterns::Double(1e-4, 1.));
+    }
+
+
+
+    void
+    ContactParameters::choose_for(const bool fabric)
+    {
+      constexpr double least = 0.1;
+      require(given_search_distance == 0. || given_search_distance >= least,
+              "Contact/Search distance is smaller than 0.1: fibers would "
+              "hardly move in an iteration; raise it, or leave it out.");
+      search_distance = given_search_distance > 0. ? given_search_distance
+                        : fabric                   ? 2.
+                                                   : 1.;
     }
 
 

@@ -15,6 +15,7 @@ namespace Heddle
     {
       fiber.materials = declare_materials(file);
       file.apply();
+      contact.choose_for(run.is_fabric());
       newton.choose_for(run.is_fabric(), centerlines.straight_when_free);
     }
 

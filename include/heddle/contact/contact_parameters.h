@@ -21,6 +21,10 @@ namespace Heddle
     public:
       ContactParameters(const std::string &section = "/Contact");
 
+      /** Choose what the user leaves to the scene. Throws InputError. */
+      void
+      choose_for(const bool fabric);
+
       /** Whether any two fibers rub. */
       bool
       has_friction() const;
@@ -39,6 +43,9 @@ namespace Heddle
 
       /** Before slip, over the smaller radius. */
       double reversible_displacement = 0.05;
+
+    private:
+      double given_search_distance = 0.;
     };
   } // namespace Contact
 } // namespace Heddle
