@@ -56,8 +56,8 @@ namespace Heddle
         std::pair<unsigned int, unsigned int> result(40, 300);
         if (scene.friction() && parameters.settle.friction)
           result = scene.space().n_fibers() > many_fibers
-                     ? std::make_pair(80u, 250u)
-                     : std::make_pair(30u, 100u);
+                     ? std::make_pair(80u, 300u)
+                     : std::make_pair(30u, 200u);
         if (parameters.weave.description().start ==
             Textile::Start::interpenetrating)
           {
