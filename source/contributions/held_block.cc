@@ -195,7 +195,8 @@ namespace Heddle
     find_held_blocks(const System::FiberSpace        &space,
                      const std::vector<Tensor<1, 3>> &reference,
                      const SupportList               &supports,
-                     const System::MatrixSpace       *matrix)
+                     const System::MatrixSpace       *matrix,
+                     const bool                       will_settle)
     {
       Collector collector(supports);
       for (unsigned int i = 0; i < supports.size(); ++i)
@@ -206,8 +207,8 @@ namespace Heddle
                   support.entry("Held tangent components") +
                     " needs the element \"hermite\"; with \"" +
                     space.element().name() + "\" hold the section instead.");
-          const std::vector<SelectedNode> nodes =
-            support.nodes.find_nodes(space, reference, support.where);
+          const std::vector<SelectedNode> nodes = support.nodes.find_nodes(
+            space, reference, support.where, will_settle);
           const auto middles = middles_of_yarns(space, nodes);
           for (const SelectedNode &node : nodes)
             hold_node(support,

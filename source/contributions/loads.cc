@@ -32,7 +32,8 @@ namespace Heddle
 
     Loads::Loads(const System::FiberSpace        &space,
                  const std::vector<Tensor<1, 3>> &reference,
-                 const LoadList                  &loads)
+                 const LoadList                  &loads,
+                 const bool                       will_settle)
       : space(space)
       , loads(loads)
       , n_vectors(space.n_blocks_per_node() - 1)
@@ -45,7 +46,7 @@ namespace Heddle
           forces_per_length_of.push_back(
             parse(*load, "Force per length", load->force_per_length));
         }
-      place(reference);
+      place(reference, will_settle);
 
       // As of supports: told before a fabric settles.
       throw_together(
@@ -68,7 +69,8 @@ namespace Heddle
 
 
     void
-    Loads::place(const std::vector<Tensor<1, 3>> &new_reference)
+    Loads::place(const std::vector<Tensor<1, 3>> &new_reference,
+                 const bool                       will_settle)
     {
       reference = new_reference;
       external.assign(reference.size(), Tensor<1, 3>());
@@ -78,7 +80,7 @@ namespace Heddle
       watched.clear();
       for (unsigned int i = 0; i < loads.size(); ++i)
         {
-          add_nodes(i, *loads[i], reference);
+          add_nodes(i, *loads[i], reference, will_settle);
           if (!is_nothing(loads[i]->force_per_length))
             add_fibers(i, *loads[i], reference);
         }
@@ -89,10 +91,11 @@ namespace Heddle
     void
     Loads::add_nodes(const unsigned int               load,
                      const LoadParameters            &parameters,
-                     const std::vector<Tensor<1, 3>> &reference)
+                     const std::vector<Tensor<1, 3>> &reference,
+                     const bool                       will_settle)
     {
       const std::vector<SelectedNode> nodes = parameters.nodes.find_nodes(
-        space, reference, section_in_words(parameters));
+        space, reference, section_in_words(parameters), will_settle);
       n_nodes_of.push_back(nodes.size());
       for (const SelectedNode &node : nodes)
         if (space.owns(node.fiber))

@@ -87,7 +87,8 @@ namespace Heddle
     std::vector<SelectedNode>
     NodeSelection::find_nodes(const System::FiberSpace        &space,
                               const std::vector<Tensor<1, 3>> &reference,
-                              const std::string               &where) const
+                              const std::string               &where,
+                              const bool will_settle) const
     {
       std::vector<SelectedNode> owned;
       double                    nearest  = std::numeric_limits<double>::max();
@@ -111,7 +112,8 @@ namespace Heddle
            Utilities::MPI::all_gather(space.communicator(), owned))
         all.insert(all.end(), part.begin(), part.end());
       nearest = Utilities::MPI::min(nearest, space.communicator());
-      if (all.empty() && !is_empty())
+      if (all.empty() && !is_empty() &&
+          !(will_settle && nodes == ChosenNodes::near_point))
         {
           std::ostringstream sentence;
           sentence << where << ": no node lies within " << distance

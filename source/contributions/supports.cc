@@ -44,11 +44,13 @@ namespace Heddle
 
     Supports::Supports(const System::FiberSpace        &space,
                        const std::vector<Tensor<1, 3>> &reference,
-                       const SupportList               &supports)
+                       const SupportList               &supports,
+                       const bool                       will_settle)
       : space(space)
       , supports(supports)
       , reference(reference)
-      , blocks(find_held_blocks(space, reference, supports, nullptr))
+      , blocks(
+          find_held_blocks(space, reference, supports, nullptr, will_settle))
       , reactions(supports.size())
     {
       for (const auto &support : supports)

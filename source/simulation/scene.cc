@@ -69,7 +69,7 @@ namespace Heddle
       else if (!parameters.supports.empty())
         {
           held_by = std::make_shared<Contributions::Supports>(
-            *fiber_space, initial_blocks, parameters.supports);
+            *fiber_space, initial_blocks, parameters.supports, is_fabric());
           add_load_stage(word(StageKind::load), held_by);
         }
     }
@@ -404,7 +404,7 @@ namespace Heddle
       stage.contributions = {fiber_elasticity, supports};
       if (!parameters.loads.empty())
         stage.contributions.push_back(std::make_shared<Contributions::Loads>(
-          *fiber_space, initial_blocks, parameters.loads));
+          *fiber_space, initial_blocks, parameters.loads, is_fabric()));
       if (parameters.plates.are_there())
         add_plates(stage);
       for (const auto &own : own_contributions())

@@ -54,14 +54,16 @@ namespace Heddle
      * block. Two supports may hold different components of a block, or the same
      * one in the same way; throw InputError for what does not go together.
      * @p reference are the owned blocks in the reference configuration;
-     * @p matrix may be nullptr.
+     * @p matrix may be nullptr. On @p will_settle see
+     * NodeSelection::find_nodes().
      * @note Collective.
      */
     std::vector<HeldBlock>
     find_held_blocks(const System::FiberSpace        &space,
                      const std::vector<Tensor<1, 3>> &reference,
                      const SupportList               &supports,
-                     const System::MatrixSpace       *matrix);
+                     const System::MatrixSpace       *matrix,
+                     const bool                       will_settle = false);
   } // namespace Contributions
 } // namespace Heddle
 

@@ -28,11 +28,13 @@ namespace Heddle
     public:
       /**
        * @p reference: the owned blocks that x, y and z in formulas refer to,
-       * until a stage begins in another configuration.
+       * until a stage begins in another configuration: fibers @p will_settle
+       * before they are loaded.
        */
       Loads(const System::FiberSpace        &space,
             const std::vector<Tensor<1, 3>> &reference,
-            const LoadList                  &loads);
+            const LoadList                  &loads,
+            const bool                       will_settle = false);
 
       std::string
       name() const override
@@ -120,12 +122,14 @@ namespace Heddle
 
       /** Find everything that loads act on. */
       void
-      place(const std::vector<Tensor<1, 3>> &new_reference);
+      place(const std::vector<Tensor<1, 3>> &new_reference,
+            const bool                       will_settle = false);
 
       void
       add_nodes(const unsigned int               load,
                 const LoadParameters            &parameters,
-                const std::vector<Tensor<1, 3>> &reference);
+                const std::vector<Tensor<1, 3>> &reference,
+                const bool                       will_settle);
 
       void
       add_fibers(const unsigned int               load,

@@ -93,13 +93,15 @@ namespace Heddle
       /**
        * Return the chosen nodes of all ranks, fiber by fiber. @p reference are
        * the owned blocks in the reference configuration. Throw InputError if
-       * there are none.
+       * there are none, but for those near a point if fibers @p will_settle
+       * before.
        * @note Collective.
        */
       std::vector<SelectedNode>
       find_nodes(const System::FiberSpace        &space,
                  const std::vector<Tensor<1, 3>> &reference,
-                 const std::string               &where) const;
+                 const std::string               &where,
+                 const bool                       will_settle = false) const;
 
     private:
       bool

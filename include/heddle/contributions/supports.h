@@ -30,12 +30,14 @@ namespace Heddle
     public:
       /**
        * Motions are counted from the configuration @p reference, given by its
-       * owned blocks, until a stage begins in another one.
+       * owned blocks, until a stage begins in another one: fibers @p
+       * will_settle before they are held.
        * @note Collective. Throws InputError, see find_held_blocks().
        */
       Supports(const System::FiberSpace        &space,
                const std::vector<Tensor<1, 3>> &reference,
-               const SupportList               &supports);
+               const SupportList               &supports,
+               const bool                       will_settle = false);
 
       std::string
       name() const override
