@@ -70,7 +70,7 @@ namespace Heddle
       /** As the parameters' documentation says; the first that fails counts. */
       const std::vector<Rule> rules = {
         {{"Weave"}, "Run/Scene", is(SceneKind::weave)},
-        {{"Initial configuration"},
+        {{"Initial configuration", "Restart/Stress free"},
          "Run/Scene",
          is_not(SceneKind::centerlines)},
         {{"Initial configuration/Axial tension",

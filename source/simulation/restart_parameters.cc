@@ -10,7 +10,7 @@ namespace Heddle
       add_parameter("Initial configuration",
                     initial_configuration,
                     "Folder of results, or file, from which the initial "
-                    "configuration of a weave is taken instead of being "
+                    "configuration of a fabric is taken instead of being "
                     "computed; ranks, friction, matrix and loads may be others "
                     "there. Its path begins where the program is started. "
                     "Of section 'Initial configuration' the last penetration "
@@ -19,10 +19,11 @@ namespace Heddle
       add_parameter("Stress free",
                     stress_free,
                     "Whether fibers are free of stress, and of contact forces, "
-                    "in the initial configuration of a weave from which they "
+                    "in the initial configuration of a fabric from which they "
                     "are loaded. If not, they keep what they have. Needs the "
                     "element 'director': without torsion a curved fiber that "
-                    "is free of stress turns in its place [-].");
+                    "is free of stress turns in its place. Inactive if "
+                    "Run/Scene is 'centerlines' [-].");
     }
   } // namespace Simulation
 } // namespace Heddle
