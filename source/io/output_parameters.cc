@@ -58,9 +58,10 @@ namespace Heddle
       add_parameter("Yarn stations",
                     yarn_stations,
                     "Sections at which each yarn is measured at the end of a "
-                    "stage (yarns.csv); 0: none, nor what else is measured on "
-                    "them (orientation.csv, results of summary.json). Inactive "
-                    "without yarns [-].",
+                    "stage (yarns.csv) and, in the mean, in each step "
+                    "(history.csv); 0: none, nor what else is measured on them "
+                    "(orientation.csv, results of summary.json, thickness and "
+                    "crimp in history.csv). Inactive without yarns [-].",
                     prm,
                     Patterns::Integer(0));
     }
