@@ -30,7 +30,8 @@ namespace Heddle
       IO::History::Column
       split(const std::string &name_with_unit)
       {
-        const auto bracket = name_with_unit.find('[');
+        // Sets of fibers may have brackets in their names.
+        const auto bracket = name_with_unit.rfind('[');
         require(bracket != std::string::npos && bracket > 0 &&
                   name_with_unit.back() == ']' &&
                   name_with_unit.find_first_of(",\"\n") == std::string::npos,

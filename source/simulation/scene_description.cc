@@ -218,11 +218,12 @@ namespace Heddle
       in_words(const double seconds)
       {
         std::ostringstream text;
-        text << std::setprecision(seconds < 100. ? 2 : 3);
-        if (seconds < 100.)
-          text << seconds << " s";
+        if (seconds < 10.)
+          text << std::setprecision(2) << seconds << " s";
+        else if (seconds < 100.)
+          text << std::lround(seconds) << " s";
         else
-          text << std::ceil(seconds / 60.) << " min";
+          text << std::lround(seconds / 60.) << " min";
         return text.str();
       }
 
@@ -243,8 +244,8 @@ namespace Heddle
         const auto [few, many] = estimate.iterations_to_settle;
         if (settles(scene, parameters))
           log << "an initial configuration takes " << few << " to " << many
-              << ", " << in_words(few * estimate.seconds) << " to "
-              << in_words(many * estimate.seconds) << ", ";
+              << ", " << in_words(few * estimate.seconds_to_settle) << " to "
+              << in_words(many * estimate.seconds_to_settle) << ", ";
         log << "a load step "
             << (scene.is_fabric() && !parameters.plates.are_there() ? "3 to 20"
                                                                     : "3 to 60")

@@ -47,6 +47,19 @@ namespace Heddle
 
 
 
+      /** Measured with 6 000 to 380 000 unknowns on one rank, and met to a
+       * quarter. */
+      double
+      seconds_of_iteration(const Scene &scene,
+                           const bool   is_factorized,
+                           const double n_dofs)
+      {
+        return (is_factorized ? 16e-6 : 4e-6) * n_dofs /
+               Utilities::MPI::n_mpi_processes(scene.space().communicator());
+      }
+
+
+
       /** As benchmarks.md has them ("Size", "The paper's fabrics"): friction
        * holds fibers that would go on from neighbour to neighbour. */
       std::pair<unsigned int, unsigned int>
@@ -58,8 +71,8 @@ namespace Heddle
           result = scene.space().n_fibers() > many_fibers
                      ? std::make_pair(80u, 300u)
                      : std::make_pair(30u, 200u);
-        if (parameters.weave.description().start ==
-            Textile::Start::interpenetrating)
+        if (scene.weave() && parameters.weave.description().start ==
+                               Textile::Start::interpenetrating)
           {
             const unsigned int ordering =
               parameters.ordering.n_steps * parameters.ordering.iterations;
@@ -86,11 +99,14 @@ namespace Heddle
                                 matrix.n_nodes,
                                 parameters.matrix.degree))
     {
-      // Measured with 6 000 to 380 000 unknowns on one rank, and met to a
-      // quarter.
-      const double n_dofs = scene.space().n_dofs() + 3. * matrix.n_nodes;
-      seconds             = (is_factorized ? 16e-6 : 4e-6) * n_dofs /
-                Utilities::MPI::n_mpi_processes(scene.space().communicator());
+      const double n_dofs = scene.space().n_dofs();
+      seconds             = seconds_of_iteration(
+        scene, is_factorized, n_dofs + 3. * matrix.n_nodes);
+      seconds_to_settle = seconds_of_iteration(
+        scene,
+        parameters.linear_solver.direct(
+          scene.space().n_dofs(), /*with_contact=*/true, /*with_matrix=*/false),
+        n_dofs);
       iterations_to_settle = iterations_of_settling(scene, parameters);
     }
   } // namespace Simulation

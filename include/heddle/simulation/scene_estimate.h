@@ -27,6 +27,9 @@ namespace Heddle
       /** The time of one Newton iteration of fibers in contact [s]. */
       double seconds;
 
+      /** Of one while a fabric settles, without a matrix [s]. */
+      double seconds_to_settle;
+
       /** Of an initial configuration, from few to many, if there is one. */
       std::pair<unsigned int, unsigned int> iterations_to_settle;
     };
