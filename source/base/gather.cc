@@ -11,28 +11,41 @@ namespace Heddle
 
   namespace
   {
-    /** How many numbers each rank has, and where they are to be. */
-    struct Layout
+    /** On all ranks, or on the first one alone. */
+    std::vector<double>
+    gather(const std::vector<double> &mine,
+           const MPI_Comm             communicator,
+           const bool                 on_all)
     {
-      Layout(const std::size_t n_mine, const MPI_Comm communicator)
-        : sizes(Utilities::MPI::n_mpi_processes(communicator))
-        , begins(sizes.size(), 0)
-      {
-        const int mine = n_mine;
-        const int ierr = MPI_Allgather(
-          &mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
-        AssertThrowMPI(ierr);
-        std::partial_sum(sizes.begin(), sizes.end() - 1, begins.begin() + 1);
-      }
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+      if (n_ranks == 1)
+        return mine;
+      const int        n_mine = mine.size();
+      std::vector<int> sizes(n_ranks), begins(n_ranks, 0);
+      int              ierr = MPI_Allgather(
+        &n_mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
+      AssertThrowMPI(ierr);
+      std::partial_sum(sizes.begin(), sizes.end() - 1, begins.begin() + 1);
 
-      std::size_t
-      n_all() const
-      {
-        return begins.back() + sizes.back();
-      }
-
-      std::vector<int> sizes, begins;
-    };
+      std::vector<double> all;
+      if (on_all || Utilities::MPI::this_mpi_process(communicator) == 0)
+        all.resize(begins.back() + sizes.back());
+      const auto call = [&](const auto &function, const auto... where) {
+        return function(mine.data(),
+                        n_mine,
+                        MPI_DOUBLE,
+                        all.data(),
+                        sizes.data(),
+                        begins.data(),
+                        MPI_DOUBLE,
+                        where...);
+      };
+      ierr = on_all ? call(MPI_Allgatherv, communicator)
+                    : call(MPI_Gatherv, /*root=*/0, communicator);
+      AssertThrowMPI(ierr);
+      return all;
+    }
   } // namespace
 
 
@@ -40,20 +53,7 @@ namespace Heddle
   std::vector<double>
   gather_on_all(const std::vector<double> &mine, const MPI_Comm communicator)
   {
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-      return mine;
-    const Layout        layout(mine.size(), communicator);
-    std::vector<double> all(layout.n_all());
-    const int           ierr = MPI_Allgatherv(mine.data(),
-                                    mine.size(),
-                                    MPI_DOUBLE,
-                                    all.data(),
-                                    layout.sizes.data(),
-                                    layout.begins.data(),
-                                    MPI_DOUBLE,
-                                    communicator);
-    AssertThrowMPI(ierr);
-    return all;
+    return gather(mine, communicator, /*on_all=*/true);
   }
 
 
@@ -61,22 +61,6 @@ namespace Heddle
   std::vector<double>
   gather_on_first(const std::vector<double> &mine, const MPI_Comm communicator)
   {
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-      return mine;
-    const Layout        layout(mine.size(), communicator);
-    std::vector<double> all;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      all.resize(layout.n_all());
-    const int ierr = MPI_Gatherv(mine.data(),
-                                 mine.size(),
-                                 MPI_DOUBLE,
-                                 all.data(),
-                                 layout.sizes.data(),
-                                 layout.begins.data(),
-                                 MPI_DOUBLE,
-                                 0,
-                                 communicator);
-    AssertThrowMPI(ierr);
-    return all;
+    return gather(mine, communicator, /*on_all=*/false);
   }
 } // namespace Heddle
