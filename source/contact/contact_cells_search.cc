@@ -122,6 +122,7 @@ namespace Heddle
 
       std::vector<ContactCell> old_cells;
       old_cells.swap(all_cells);
+      all_cells.reserve(old_cells.size() + old_cells.size() / 16);
       keep_cells(curves, old_cells);
       const auto n_kept = all_cells.size();
       for (auto first = candidates.begin(); first != candidates.end();)
@@ -150,6 +151,10 @@ namespace Heddle
         }
       std::inplace_merge(
         all_cells.begin(), all_cells.begin() + n_kept, all_cells.end());
+
+      // Where contacts have become many more, their room has doubled.
+      if (all_cells.capacity() > all_cells.size() + all_cells.size() / 8)
+        all_cells.shrink_to_fit();
     }
 
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace Heddle
 {
@@ -179,8 +180,9 @@ namespace Heddle
     {
       // Records of one pair are told apart by their number.
       Records rows;
-      rows.n_key_parts    = 3;
-      rows.n_values       = 8;
+      rows.n_key_parts = 3;
+      rows.n_values    = 8;
+      rows.reserve(records.size());
       unsigned int number = 0;
       for (std::size_t i = 0; i < records.size(); ++i)
         {
@@ -203,7 +205,7 @@ namespace Heddle
                               record.displacement[2],
                               record.limit});
         }
-      archive.write(name, rows);
+      archive.write(name, std::move(rows));
     }
 
 

@@ -407,6 +407,13 @@ namespace Heddle
       System::AxisCouplings::Blocks blocks;
       System::AxisCouplings::Term   term;
       SummedTerms of_pairs(system), of_a(system), of_b(system);
+      if (system.wants_tangent() && system.keeps_couplings_apart())
+        system.axis_couplings().reserve(
+          std::count_if(contact_elements.begin(),
+                        contact_elements.end(),
+                        [](const Contact::ContactElement &element) {
+                          return element.force > 0.;
+                        }));
       for (const Contact::ContactElement &element : contact_elements)
         if (element.force > 0.)
           {

@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace Heddle
 {
@@ -130,6 +131,7 @@ namespace Heddle
       Records records;
       records.n_key_parts = 5;
       records.n_values    = 3;
+      records.reserve(cells.cells().size());
       for (const Contact::ContactCell &cell : cells.cells())
         if (space.owns(cell.fiber_a))
           {
@@ -143,7 +145,7 @@ namespace Heddle
               records.values.end(),
               {cell.q_begin, cell.q_end, cell.penalty / cell.kept});
           }
-      archive.write(name() + "/cells", records);
+      archive.write(name() + "/cells", std::move(records));
       archive.write_number(name() + "/refinement", refinement);
 
       Records forgiven;
@@ -155,7 +157,7 @@ namespace Heddle
                                  {pair.first.first, pair.first.second});
             forgiven.values.push_back(pair.second);
           }
-      archive.write(name() + "/forgiven penetrations", forgiven);
+      archive.write(name() + "/forgiven penetrations", std::move(forgiven));
 
       Records forces;
       forces.n_key_parts = 2;
@@ -165,7 +167,7 @@ namespace Heddle
                              {force.first.first, force.first.second});
           forces.values.push_back(force.second);
         }
-      archive.write(name() + "/forces", forces);
+      archive.write(name() + "/forces", std::move(forces));
       archive.write_number(name() + "/hardening", hardening);
       archive.write_number(name() + "/largest mean force", largest_mean_force);
       archive.write_number(name() + "/active", accepted_active);

@@ -170,7 +170,7 @@ namespace Heddle
       Assert(ghost_version == state.ghost_version(),
              ExcMessage("Elements have the numbers that blocks had before."));
       if (system.wants_tangent())
-        reserve(system.unsymmetric_terms());
+        reserve(system);
       SummedTerms of_pairs(system), of_a(system), of_b(system);
       for (const Element &element : elements)
         {
@@ -191,16 +191,19 @@ namespace Heddle
 
 
     void
-    FiberFriction::reserve(System::UnsymmetricTerms &terms) const
+    FiberFriction::reserve(System::BlockSystem &system) const
     {
       if (elements.empty())
         return;
       const bool sections = elements.front().has_sections();
-      terms.reserve(elements.size(),
-                    (sections ? 1 : 3) * elements.size(),
-                    ((sections ? 1 : 2) * elements.front().n_blocks +
-                     FrictionElement::n_axis_blocks) *
-                      elements.size());
+      if (system.keeps_couplings_apart() && sections)
+        system.section_couplings().reserve(elements.size());
+      system.unsymmetric_terms().reserve(
+        elements.size(),
+        (sections ? 1 : 3) * elements.size(),
+        ((sections ? 1 : 2) * elements.front().n_blocks +
+         FrictionElement::n_axis_blocks) *
+          elements.size());
     }
 
 

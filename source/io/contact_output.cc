@@ -160,6 +160,7 @@ namespace Heddle
         internal::ContactOutput::first_zone(elements, space.communicator());
 
       PatchFile<0> file(fields(with_friction));
+      file.patches.reserve(elements.size());
       for (std::size_t i = 0; i < elements.size(); ++i)
         if (space.owns(elements[i].fiber_a))
           {

@@ -155,12 +155,11 @@ namespace Heddle
 
 
     void
-    Hdf5Writer::write(const std::string &name, const Records &records)
+    Hdf5Writer::write(const std::string &name, Records records)
     {
-      Records sorted = records;
-      sorted.sort();
+      records.sort();
 
-      const std::uint64_t n_mine = sorted.size();
+      const std::uint64_t n_mine = records.size();
       std::uint64_t       first  = 0;
       const int           ierr =
         MPI_Exscan(&n_mine, &first, 1, MPI_UINT64_T, MPI_SUM, communicator);
@@ -173,14 +172,14 @@ namespace Heddle
                  n_mine,
                  n,
                  records.n_key_parts,
-                 sorted.keys.data());
+                 records.keys.data());
       write_rows(name + "/values",
                  H5T_NATIVE_DOUBLE,
                  first,
                  n_mine,
                  n,
                  records.n_values,
-                 sorted.values.data());
+                 records.values.data());
     }
 
 

@@ -256,6 +256,16 @@ namespace Heddle
 
 
     void
+    LinearSolver::forget()
+    {
+      multiply_with(nullptr);
+      if (preconditioner)
+        preconditioner->forget();
+    }
+
+
+
+    void
     LinearSolver::multiply_with(const FiberBlocks *bands)
     {
       symmetric.set_bands(bands);

@@ -43,7 +43,10 @@ namespace Heddle
       NewtonTools &shared = tools_for(state);
       Equations    equations(state, contributions, shared.system, timer);
       NewtonSearch search(equations, shared, limits, aim, log, timer, stop);
-      return search.run(guess);
+      const NewtonResult result = search.run(guess);
+
+      shared.give_memory_back();
+      return result;
     }
 
 

@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/base/freed_memory.h>
 #include <heddle/solver/motion_in_parts.h>
 #include <heddle/solver/newton_search.h>
 
@@ -85,6 +86,16 @@ namespace Heddle
       , linear_solver(linear_parameters, system)
       , damping(state.space, first_damping)
     {
+    }
+
+
+
+    void
+    NewtonTools::give_memory_back()
+    {
+      system.forget_couplings();
+      linear_solver.forget();
+      return_freed_memory();
     }
 
 

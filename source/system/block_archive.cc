@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <map>
+#include <utility>
 
 namespace Heddle
 {
@@ -60,6 +61,7 @@ namespace Heddle
       Records rows;
       rows.n_values    = 3;
       const auto nodes = matrix->owned_nodes();
+      rows.reserve(nodes.second - nodes.first);
       for (unsigned int node = nodes.first; node < nodes.second; ++node)
         {
           const Tensor<1, 3> &block = owned[state.matrix_block(node)];
@@ -67,7 +69,7 @@ namespace Heddle
           rows.values.insert(
             rows.values.end(), block.begin_raw(), block.end_raw());
         }
-      archive.write(matrix_entry(name), rows);
+      archive.write(matrix_entry(name), std::move(rows));
     }
 
 

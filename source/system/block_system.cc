@@ -159,6 +159,16 @@ namespace Heddle
 
 
     void
+    BlockSystem::forget_couplings()
+    {
+      unsymmetric = UnsymmetricTerms();
+      of_axes     = AxisCouplings();
+      of_sections = SectionCouplings();
+    }
+
+
+
+    void
     BlockSystem::add(const unsigned int  n,
                      const unsigned int *blocks,
                      const double       *residual,

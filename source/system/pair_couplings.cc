@@ -1,6 +1,8 @@
 #include <heddle/base/lanes.h>
 #include <heddle/system/pair_couplings.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace Heddle
 {
   namespace System
@@ -11,6 +13,21 @@ namespace Heddle
     {
       groups.clear();
       terms.clear();
+    }
+
+
+
+    template <unsigned int n_of_side>
+    void
+    PairCouplings<n_of_side>::reserve(const std::size_t n_terms)
+    {
+      Assert(terms.empty(), ExcMessage("Terms were added before."));
+      if (terms.capacity() >= n_terms)
+        return;
+
+      // The room that there was is not needed beside the new one.
+      terms = std::vector<Term>();
+      terms.reserve(n_terms);
     }
 
 

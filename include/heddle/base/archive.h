@@ -38,6 +38,10 @@ namespace Heddle
       return values.data() + i * n_values;
     }
 
+    /** Have room for so many rows. */
+    void
+    reserve(const std::size_t n_rows);
+
     /** Bring the rows into the lexicographic order of their keys. */
     void
     sort();
@@ -67,9 +71,12 @@ namespace Heddle
           const std::vector<double> &values,
           const unsigned int         n_columns = 1) = 0;
 
-    /** Write the records of all ranks; each record is given by one rank. */
+    /**
+     * Write the records of all ranks; each record is given by one rank. Those
+     * that are moved here are not copied.
+     */
     virtual void
-    write(const std::string &name, const Records &records) = 0;
+    write(const std::string &name, Records records) = 0;
 
     /** Write a number or a text that is the same on all ranks. */
     virtual void

@@ -164,9 +164,9 @@ namespace Heddle
               const Element       &element,
               const bool           with_stiffness) const;
 
-      /** Have room for the change of all limits. */
+      /** Have room for what all elements add to the tangent. */
       void
-      reserve(System::UnsymmetricTerms &terms) const;
+      reserve(System::BlockSystem &system) const;
 
       /** Add an element to @p terms, of residual and matrix. */
       void

@@ -35,7 +35,7 @@ namespace Heddle
             const unsigned int         n_columns = 1) override;
 
       void
-      write(const std::string &name, const Records &records) override;
+      write(const std::string &name, Records records) override;
 
       void
       write_number(const std::string &name, const double value) override;

@@ -35,6 +35,14 @@ namespace Heddle
              const bool                 yarn_motions,
              const bool                 gentle);
 
+      /** Forget the blocks of the fibers until it is set up anew. */
+      void
+      forget()
+      {
+        bands_suffice = false;
+        fibers.forget();
+      }
+
       /**
        * The blocks of the fibers, if they are all that the matrix of the system
        * has, on all ranks; else none.

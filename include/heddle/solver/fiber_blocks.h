@@ -33,6 +33,13 @@ namespace Heddle
       void
       set_up(const System::LocalBlocks &tangent, const bool gentle = false);
 
+      /** Have no blocks until others are taken. */
+      void
+      forget()
+      {
+        groups.clear();
+      }
+
       /** Solve for the right-hand side @p residual of the own fibers. */
       void
       apply(const double *residual, double *result) const;

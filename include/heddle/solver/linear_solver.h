@@ -143,6 +143,10 @@ namespace Heddle
       LinearResult
       solve(const LinearTask &task = LinearTask());
 
+      /** Forget what is taken from the tangent anew for each solution. */
+      void
+      forget();
+
       /**
        * Energy of the unbalanced forces of the system as last assembled: what
        * they do [N mm] along the motion that the preconditioner, or the

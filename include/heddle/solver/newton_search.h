@@ -58,6 +58,13 @@ namespace Heddle
                   const LinearSolverParameters &linear_parameters,
                   const double                  first_damping);
 
+      /**
+       * Give back the memory of what the next search makes anew in any case:
+       * output and checkpoints have use for it.
+       */
+      void
+      give_memory_back();
+
       System::BlockSystem system;
       LinearSolver        linear_solver;
       FiberDamping        damping;

@@ -184,6 +184,13 @@ namespace Heddle
         return of_sections;
       }
 
+      /**
+       * Give back the memory of what couples blocks beside the matrix, where
+       * the tangent is not needed until it is assembled anew.
+       */
+      void
+      forget_couplings();
+
       /** Add to the residual of an owned block. */
       void
       add_force(const unsigned int block, const Tensor<1, 3> &force)

@@ -45,6 +45,13 @@ namespace Heddle
         return terms.empty();
       }
 
+      /**
+       * Have room for @p n_terms in all, which must be none yet: grown one by
+       * one they take up to twice as much.
+       */
+      void
+      reserve(const std::size_t n_terms);
+
       /** Add a term; cheapest if the one before has the same @p blocks. */
       void
       add_term(const Blocks &blocks, const Term &term);
