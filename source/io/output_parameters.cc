@@ -60,8 +60,9 @@ namespace Heddle
                     "Sections at which each yarn is measured at the end of a "
                     "stage (yarns.csv) and, in the mean, in each step "
                     "(history.csv); 0: none, nor what else is measured on them "
-                    "(orientation.csv, results of summary.json, thickness and "
-                    "crimp in history.csv). Inactive without yarns [-].",
+                    "(crossings.csv, orientation.csv, results of summary.json, "
+                    "thickness and crimp in history.csv). Inactive without "
+                    "yarns [-].",
                     prm,
                     Patterns::Integer(0));
     }

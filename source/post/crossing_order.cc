@@ -57,26 +57,28 @@ namespace Heddle
 
 
 
-      /** Order of two segments [a, b] above [c, d]. */
-      Order
-      order_of_segments(const Tensor<1, 3> &a,
-                        const Tensor<1, 3> &b,
-                        const Tensor<1, 3> &c,
-                        const Tensor<1, 3> &d)
+      using Points = std::pair<Tensor<1, 3>, Tensor<1, 3>>;
+
+
+
+      /** Where the segment [a, b] passes above or below [c, d]. */
+      std::optional<Points>
+      where_segments_cross(const Tensor<1, 3> &a,
+                           const Tensor<1, 3> &b,
+                           const Tensor<1, 3> &c,
+                           const Tensor<1, 3> &d)
       {
         const auto cross = [](const Tensor<1, 3> &u, const Tensor<1, 3> &v) {
           return u[0] * v[1] - u[1] * v[0];
         };
         const double determinant = cross(b - a, d - c);
         if (determinant == 0.)
-          return Order::apart;
+          return {};
         const double s = cross(c - a, d - c) / determinant;
         const double t = cross(c - a, b - a) / determinant;
         if (s < 0. || s > 1. || t < 0. || t > 1.)
-          return Order::apart;
-        return a[2] + s * (b[2] - a[2]) > c[2] + t * (d[2] - c[2])
-                 ? Order::right
-                 : Order::wrong;
+          return {};
+        return Points(a + s * (b - a), c + t * (d - c));
       }
 
 
@@ -103,12 +105,13 @@ namespace Heddle
           if (piece.meets_segment(lower, t))
             for (const unsigned int s : upper_segments)
               {
-                const Order found = order_of_segments(
+                const auto points = where_segments_cross(
                   upper[s], upper[s + 1], lower[t], lower[t + 1]);
-                if (found == Order::wrong)
-                  return found;
-                if (found == Order::right)
-                  order = found;
+                if (!points)
+                  continue;
+                if (points->first[2] <= points->second[2])
+                  return Order::wrong;
+                order = Order::right;
               }
         return order;
       }
@@ -143,6 +146,23 @@ namespace Heddle
             }
       }
     } // namespace
+
+
+
+    std::optional<std::pair<Tensor<1, 3>, Tensor<1, 3>>>
+    crossing_points(const Polyline &first, const Polyline &second)
+    {
+      Rectangle around_second;
+      for (const Tensor<1, 3> &point : second)
+        around_second.add(point);
+      for (unsigned int s = 0; s + 1 < first.size(); ++s)
+        if (around_second.meets_segment(first, s))
+          for (unsigned int t = 0; t + 1 < second.size(); ++t)
+            if (const auto points = where_segments_cross(
+                  first[s], first[s + 1], second[t], second[t + 1]))
+              return points;
+      return {};
+    }
 
 
 

@@ -25,18 +25,6 @@ namespace Heddle
 
 
 
-      /** The mean line of a yarn, as fine as its fibers. */
-      Polyline
-      mean_line_of(const std::vector<Polyline> &fibers)
-      {
-        std::size_t n = n_mean_points;
-        for (const Polyline &fiber : fibers)
-          n = std::max(n, fiber.size());
-        return mean_line(fibers, n);
-      }
-
-
-
       double
       length_of(const Polyline &line)
       {
@@ -61,19 +49,30 @@ namespace Heddle
     FabricReport::FabricReport(const System::State &state)
       : space(state.space)
       , lines(Post::gather_centerlines(state, n_pieces))
-      , yarns(lines.empty() ? 0 : state.space.n_yarns())
+      , all_yarns(lines.empty() ? 0 : state.space.n_yarns())
     {
       for (unsigned int f = 0; f < lines.size(); ++f)
         {
           const System::Fiber &fiber = state.space.fiber(f);
           if (fiber.yarn_id == numbers::invalid_unsigned_int)
             continue;
-          Yarn &yarn = yarns[fiber.yarn_id];
+          Yarn &yarn = all_yarns[fiber.yarn_id];
           yarn.set   = fiber.set;
           yarn.fibers.push_back(f);
           yarn.lines.push_back(lines[f]);
           yarn.radii.push_back(fiber.radius);
         }
+    }
+
+
+
+    Polyline
+    FabricReport::Yarn::mean_line() const
+    {
+      std::size_t n = n_mean_points;
+      for (const Polyline &fiber : lines)
+        n = std::max(n, fiber.size());
+      return Heddle::mean_line(lines, n);
     }
 
 
@@ -86,16 +85,17 @@ namespace Heddle
       out << "yarn[-],is_warp[-],station[-],x[mm],y[mm],z[mm],width[mm],"
              "height[mm],aspect_ratio[-],hull_area[mm^2],fiber_area[mm^2],"
              "volume_fraction[-],fibers_missing[-],crimp[-]\n";
-      for (unsigned int y = 0; y < yarns.size(); ++y)
+      for (unsigned int y = 0; y < all_yarns.size(); ++y)
         {
-          const auto mean = mean_line_of(yarns[y].lines);
+          const auto mean = all_yarns[y].mean_line();
           for (unsigned int i = 0; i < n_stations; ++i)
             {
               const double fraction = station(i, n_stations);
-              const auto   section  = Post::cut_yarn(
-                yarns[y].lines, yarns[y].radii, plane_at(mean, fraction));
-              out << y << ',' << (yarns[y].set == word(YarnSet::warp)) << ','
-                  << fraction;
+              const auto   section  = Post::cut_yarn(all_yarns[y].lines,
+                                                  all_yarns[y].radii,
+                                                  plane_at(mean, fraction));
+              out << y << ',' << (all_yarns[y].set == word(YarnSet::warp))
+                  << ',' << fraction;
               const Tensor<1, 3> &x = section.center;
               for (const double value : {x[0],
                                          x[1],
@@ -130,10 +130,10 @@ namespace Heddle
         sums[name].first += value;
         ++sums[name].second;
       };
-      for (const Yarn &yarn : yarns)
+      for (const Yarn &yarn : all_yarns)
         {
           const std::string of_set = yarn.set.empty() ? "" : yarn.set + "_";
-          const auto        mean   = mean_line_of(yarn.lines);
+          const auto        mean   = yarn.mean_line();
           const bool        spun   = YarnReach(yarn.lines).is_spun();
           add(of_set + "crimp[-]", crimp(mean));
           for (unsigned int i = 0; i < n_stations; ++i)
@@ -150,7 +150,7 @@ namespace Heddle
         }
       for (const auto &sum : sums)
         result[sum.first] = sum.second.first / sum.second.second;
-      if (!yarns.empty())
+      if (!all_yarns.empty())
         Post::FabricSheet(bodies(densities)).add_to(result);
       return result;
     }
@@ -168,7 +168,7 @@ namespace Heddle
     std::string
     FabricReport::overfull(const unsigned int n_stations) const
     {
-      if (yarns.empty())
+      if (all_yarns.empty())
         return "";
       std::ostringstream text;
       text << std::setprecision(3);
@@ -177,14 +177,14 @@ namespace Heddle
         text << "the fabric has a volume fraction of " << overall;
       unsigned int n_full = 0, worst_yarn = 0;
       double       largest = full, worst_station = 0.;
-      for (unsigned int y = 0; y < yarns.size(); ++y)
+      for (unsigned int y = 0; y < all_yarns.size(); ++y)
         {
-          const Polyline mean = mean_line_of(yarns[y].lines);
+          const Polyline mean = all_yarns[y].mean_line();
           for (unsigned int i = 0; i < n_stations; ++i)
             {
               const double fraction = station(i, n_stations);
-              const double found    = Post::cut_yarn(yarns[y].lines,
-                                                  yarns[y].radii,
+              const double found    = Post::cut_yarn(all_yarns[y].lines,
+                                                  all_yarns[y].radii,
                                                   plane_at(mean, fraction))
                                      .volume_fraction();
               n_full += found > full;
@@ -198,7 +198,7 @@ namespace Heddle
         }
       if (n_full > 0)
         text << (overall > full ? ", and " : "") << n_full << " of "
-             << n_stations * yarns.size()
+             << n_stations * all_yarns.size()
              << " sections of yarns have one above 1, up to " << largest
              << " of yarn " << worst_yarn << " at station " << worst_station;
       if (text.str().empty())
@@ -214,10 +214,10 @@ namespace Heddle
     FabricReport::bodies(const std::vector<double> &densities) const
     {
       std::vector<Post::YarnBody> result;
-      for (const Yarn &yarn : yarns)
+      for (const Yarn &yarn : all_yarns)
         {
           result.push_back(
-            {yarn.set, yarn.lines, yarn.radii, {}, mean_line_of(yarn.lines)});
+            {yarn.set, yarn.lines, yarn.radii, {}, yarn.mean_line()});
           // What a fiber weighs it keeps when it is stretched.
           for (const unsigned int f : yarn.fibers)
             result.back().densities.push_back(

@@ -5,6 +5,7 @@
 #include <heddle/base/version.h>
 #include <heddle/io/collection.h>
 #include <heddle/post/centerline.h>
+#include <heddle/simulation/crossing_report.h>
 #include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
@@ -408,12 +409,14 @@ namespace Heddle
       if (scene.space().n_yarns() == 0 || n_stations == 0)
         return;
       const FabricReport fabric(scene.state());
+      const std::string  crossings = crossings_csv(scene, fabric);
       if (!first_rank)
         return;
       summary.results = fabric.results(n_stations, scene.densities());
       overfull        = fabric.overfull(n_stations);
       write_file(directory + "/yarns.csv", fabric.yarns_csv(n_stations));
       write_file(directory + "/orientation.csv", fabric.orientation_csv());
+      write_file(directory + "/crossings.csv", crossings);
     }
 
 

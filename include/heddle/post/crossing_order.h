@@ -4,7 +4,9 @@
 #include <heddle/base/polyline.h>
 #include <heddle/system/state.h>
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Heddle
@@ -20,6 +22,16 @@ namespace Heddle
       /** Numbers of the fibers of the other yarn. */
       std::vector<unsigned int> lower;
     };
+
+
+
+    /**
+     * The points of two lines at which their projections on the xy-plane
+     * intersect, the first of them along the first line; nothing if they do
+     * not.
+     */
+    std::optional<std::pair<Tensor<1, 3>, Tensor<1, 3>>>
+    crossing_points(const Polyline &first, const Polyline &second);
 
 
 

@@ -53,15 +53,33 @@ namespace Heddle
       std::string
       overfull(const unsigned int n_stations) const;
 
-    private:
       struct Yarn
       {
         std::string               set;
         std::vector<unsigned int> fibers;
         std::vector<Polyline>     lines;
         std::vector<double>       radii;
+
+        /** As fine as the fibers. */
+        Polyline
+        mean_line() const;
       };
 
+      /** Of all yarns, by their numbers; none on other ranks than 0. */
+      const std::vector<Yarn> &
+      yarns() const
+      {
+        return all_yarns;
+      }
+
+      /** Of all fibers, by their numbers; none on other ranks than 0. */
+      const std::vector<Polyline> &
+      centerlines() const
+      {
+        return lines;
+      }
+
+    private:
       /** The yarns with their mean lines and, of known @p densities, those of
        * the fibers as they are, stretched. */
       std::vector<Post::YarnBody>
@@ -69,7 +87,7 @@ namespace Heddle
 
       const System::FiberSpace &space;
       std::vector<Polyline>     lines;
-      std::vector<Yarn>         yarns;
+      std::vector<Yarn>         all_yarns;
     };
   } // namespace Simulation
 } // namespace Heddle

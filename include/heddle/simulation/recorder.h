@@ -40,8 +40,11 @@ namespace Heddle
       static constexpr const char *centerlines = "centerlines.csv";
 
       /** Tables of results in the folder, which a new run removes. */
-      static constexpr std::array<const char *, 4> tables = {
-        {"history.csv", "yarns.csv", "orientation.csv", centerlines}};
+      static constexpr std::array<const char *, 5> tables = {{"history.csv",
+                                                              "yarns.csv",
+                                                              "orientation.csv",
+                                                              "crossings.csv",
+                                                              centerlines}};
 
       /** What the steps of a stage have met that bears on those to come. */
       struct Tries
