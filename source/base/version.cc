@@ -28,6 +28,14 @@ namespace Heddle
 
 
   std::string
+  revision()
+  {
+    return HEDDLE_REVISION;
+  }
+
+
+
+  std::string
   version_text()
   {
     char mpi[MPI_MAX_LIBRARY_VERSION_STRING];
@@ -39,8 +47,10 @@ namespace Heddle
     H5get_libversion(&hdf5[0], &hdf5[1], &hdf5[2]);
 
     std::ostringstream text;
-    text << "heddle " << version() << " (" << build_type() << ")\n"
-         << "deal.II " << DEAL_II_PACKAGE_VERSION << '\n'
+    text << "heddle " << version() << " (" << build_type() << ")\n";
+    if (!revision().empty())
+      text << "revision " << revision() << '\n';
+    text << "deal.II " << DEAL_II_PACKAGE_VERSION << '\n'
          << "PETSc " << PETSC_VERSION_MAJOR << '.' << PETSC_VERSION_MINOR << '.'
          << PETSC_VERSION_SUBMINOR << '\n'
          << "MPI " << mpi_name.substr(0, mpi_name.find(',')) << '\n'

@@ -14,6 +14,13 @@ namespace Heddle
   build_type();
 
   /**
+   * Return the commit of the sources, abbreviated, with what was not committed
+   * left unsaid; empty if they did not lie in a clone.
+   */
+  std::string
+  revision();
+
+  /**
    * Return one line each for heddle and for the libraries that it stands on,
    * with their versions.
    */
