@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Heddle
@@ -13,6 +14,10 @@ namespace Heddle
     {
       /** What a fiber moves in an iteration if all goes well, in radii. */
       constexpr double wanted_motion = 0.6;
+
+      /** What counts as a radius there of a fiber that touches nothing, over
+       * its length. */
+      constexpr double part_of_length = 0.02;
 
       /** Largest change of the damping in one iteration. */
       constexpr double largest_factor = 3.;
@@ -76,7 +81,7 @@ namespace Heddle
     FiberDamping::least_of(const unsigned int f) const
     {
       const double slenderness = space.fiber(f).length / space.fiber(f).radius;
-      return alone ? std::min(least, 1. / (slenderness * slenderness)) : least;
+      return alone ? std::min(least, std::pow(slenderness, -4)) : least;
     }
 
 
@@ -220,7 +225,10 @@ namespace Heddle
                            motion =
                              std::max(motion, lever * increment[block].norm());
                          });
-          const double ratio = motion / (wanted_motion * radius);
+          const double scale =
+            alone ? std::max(radius, part_of_length * space.fiber(f).length)
+                  : radius;
+          const double ratio = motion / (wanted_motion * scale);
           double      &value = values[f - owned.first];
           value *= std::clamp(ratio, 1. / largest_factor, largest_factor);
           if (taken < much_cut && ratio > much_moved)

@@ -69,6 +69,10 @@ namespace Heddle
 
       /** Whole steps after which a search without contact is held back. */
       constexpr unsigned int most_unguarded = 30;
+
+      /** Of the residual that is accepted elsewhere, where the equilibrium is
+       * not stable. */
+      constexpr double on_saddle = 1e-3;
     } // namespace
 
 
@@ -263,6 +267,16 @@ namespace Heddle
         {
           begin_again("not stable");
           return Verdict::begin_again;
+        }
+
+      // On its way off a saddle a column hardly moves at first, and what drives
+      // it may be less than is accepted. Where nothing does forces vanish.
+      if (result.unstable && guarded && !equations.state.matrix() &&
+          iteration < limit &&
+          residual.ratio > on_saddle * limits.residual_tolerance)
+        {
+          equations.assemble();
+          return Verdict::go_on;
         }
       for (const auto &contribution : equations.contributions)
         contribution->observe(equations.system);
