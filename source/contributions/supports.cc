@@ -14,6 +14,13 @@ namespace Heddle
   {
     namespace
     {
+      /** Of the angle by which a tangent is turned in a step. Only its
+       * direction is prescribed: from a right angle on it would find its length
+       * backwards. */
+      constexpr double least_cosine = 0.3;
+
+
+
       /** Rows: the direction of @p tangent, and two normals of it. */
       Tensor<2, 3>
       frame_along(const Tensor<1, 3> &tangent)
@@ -210,6 +217,28 @@ namespace Heddle
               constraint.pending[d] = constraint.fixed[d] ? motion[d] : 0.;
             constraints.push_back(constraint);
           }
+    }
+
+
+
+    std::string
+    Supports::objection(const System::State &state) const
+    {
+      int is_far = 0;
+      for (const HeldBlock &held : blocks)
+        if (held.kind == HeldBlock::Kind::direction &&
+            held.local_block(state) < state.n_owned_blocks())
+          {
+            const Tensor<1, 3> &before =
+              state.accepted()[held.local_block(state)];
+            const Tensor<1, 3> now = target(held, state.load_factor);
+            if (before * now < least_cosine * before.norm() * now.norm())
+              is_far = 1;
+          }
+      return Utilities::MPI::max(is_far, space.communicator()) > 0
+               ? "a support turns an end of a fiber by more than 70 degrees "
+                 "in one step"
+               : "";
     }
 
 
