@@ -35,8 +35,10 @@ namespace Heddle
       add_parameter("Turn angle",
                     angle,
                     "Formula of x, y, z [mm] and t: angle by which sections "
-                    "are turned from the reference configuration. Inactive "
-                    "unless 'Section' is 'turned' [rad].");
+                    "are turned from the reference configuration. Elements "
+                    "that are twisted by more than 0.2 each resist too much: "
+                    "give shorter ones. Inactive unless 'Section' is 'turned' "
+                    "[rad].");
       add_parameter("Turn axis",
                     axis,
                     "Direction, of any length, about which sections are "

@@ -11,6 +11,12 @@ namespace Heddle
   {
     namespace
     {
+      /** Cosine of the angle between ways that lie on each other, by a degree.
+       */
+      constexpr double straight_back = -0.99985;
+
+
+
       /** At which the way is looked at: the first of a fiber, for it takes the
        * square of their number. */
       constexpr unsigned int most_points = 1000;
@@ -55,9 +61,15 @@ namespace Heddle
     order_of(const Polyline &points)
     {
       PointOrder order;
-      for (unsigned int i = 1; i + 1 < points.size(); ++i)
-        order.n_turns +=
-          (points[i + 1] - points[i]) * (points[i] - points[i - 1]) < 0.;
+      for (unsigned int i = points.size() - 1; i-- > 1;)
+        {
+          const Tensor<1, 3> before = points[i] - points[i - 1],
+                             behind = points[i + 1] - points[i];
+          const double part = before * behind / (before.norm() * behind.norm());
+          order.n_turns += part < 0.;
+          if (part < straight_back)
+            order.folded_at = i;
+        }
       if (order.n_turns == 0 || 4 * order.n_turns + 2 < points.size())
         return order;
       const Polyline first(points.begin(),

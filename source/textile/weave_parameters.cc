@@ -45,7 +45,10 @@ namespace Heddle
                  "Geometry from which the initial configuration is "
                  "computed: 'interpenetrating' (straight yarns in one "
                  "plane) or 'crimped' (yarns bent over and under each "
-                 "other, every fiber on its side of those it crosses) [-].");
+                 "other, every fiber on its side of those it crosses). Guides "
+                 "keep the ends of yarns at the height at which these put "
+                 "them, in that plane or as if the weave went on: in samples "
+                 "of few yarns crimp and forces differ [-].");
       add_parameter("End length",
                     weave.end_length,
                     "Length of yarn beyond its last crossing, as a fraction of "

@@ -252,9 +252,12 @@ orders()
   refuse_file(shuffled(41, 17));
   refuse_file(shuffled(7, 3));
 
+  // Exchanged points of a straight fiber lie on it, those of others beside it.
+  refuse_file("fiber,x,y,z\n1,0,0,0\n1,1,0,0\n1,3,0,0\n1,2,0,0\n1,4,0,0\n");
+
   // A loop that closes, and a fiber of which two points are exchanged.
   for (const std::string more :
-       {"1,1,1,0\n1,0,1,0\n1,0,0,0\n", "1,3,0,0\n1,2,0,0\n1,4,0,0\n"})
+       {"1,1,1,0\n1,0,1,0\n1,0,0,0\n", "1,3,0.1,0\n1,2,0,0\n1,4,0,0\n"})
     {
       PathReading reading;
       reading.element_length = 1.;

@@ -14,6 +14,10 @@ namespace Heddle
        * 90 degrees. */
       unsigned int n_turns = 0;
 
+      /** Of the first of them at which the way goes straight back, and lies on
+       * itself; 0: nowhere. */
+      unsigned int folded_at = 0;
+
       /**
        * How many times as long that way is as the one that goes to the nearest
        * point that is left, from the one that is farthest from the middle. 1
