@@ -215,6 +215,8 @@ namespace Heddle
       // of a fabric begin there in any case.
       if (ratio > 0. || scene.is_fabric())
         stepping[place.stage]->begin_at_zero();
+      else
+        recorder.begin_balance(place.stage);
       // A case before this one tells nothing of it.
       place.predictor.begin(state);
     }

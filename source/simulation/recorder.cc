@@ -386,6 +386,16 @@ namespace Heddle
 
 
     void
+    Recorder::begin_balance(const unsigned int stage)
+    {
+      const auto values = scene.report(stage);
+      if (EnergyBalance::is_in(values))
+        balance.begin(values);
+    }
+
+
+
+    void
     Recorder::measure_fabric(std::map<std::string, double> &values) const
     {
       const unsigned int n_stations = parameters.output.yarn_stations;

@@ -107,6 +107,14 @@ namespace Heddle
       void
       begin_stage(const unsigned int stage);
 
+      /**
+       * Let energies count from the state in which the stage begins, where no
+       * step leads to load factor 0: fibers may have some.
+       * @note Collective.
+       */
+      void
+      begin_balance(const unsigned int stage);
+
       /** Add to the work of the stage, whether it led to anything or not. */
       void
       count(const unsigned int stage, const Solver::NewtonResult &result);
