@@ -1,6 +1,7 @@
 #include <heddle/base/choice.h>
 #include <heddle/base/exceptions.h>
 #include <heddle/base/file.h>
+#include <heddle/base/number_text.h>
 #include <heddle/contributions/crossing_enforcement.h>
 #include <heddle/contributions/loads.h>
 #include <heddle/contributions/section_damping.h>
@@ -360,6 +361,13 @@ namespace Heddle
     void
     Scene::add_load_cases()
     {
+      const double curvature = parameters.fabric_loading.bent_to();
+      require(std::abs(curvature) * fiber_space->smallest_radius() < 1.,
+              "Fabric loading/Curvature is " + number_text(curvature) +
+                ", a radius of " + number_text(1. / std::abs(curvature), 2) +
+                " mm, and fibers have one of " +
+                number_text(fiber_space->smallest_radius()) +
+                " mm; bend them to more than that.");
       const Contributions::FabricSize size = fabric_size();
       fabric_cases = parameters.fabric_loading.cases(fibers_at_sides(),
                                                      parameters.matrix.enabled);

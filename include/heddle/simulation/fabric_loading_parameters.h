@@ -150,6 +150,13 @@ namespace Heddle
         return kind == FabricTest::bending;
       }
 
+      /** To which the fabric is bent where the ramp is 1; else 0 [1/mm]. */
+      double
+      bent_to() const
+      {
+        return bends() ? curvature : 0.;
+      }
+
       /** Of all load cases [degrees]; 0 where none shears. */
       double
       largest_shear_angle() const;
