@@ -7,6 +7,7 @@
 #include <deal.II/physics/transformations.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Heddle
 {
@@ -14,10 +15,30 @@ namespace Heddle
   {
     namespace
     {
-      /** Of the angle by which a tangent is turned in a step. Only its
-       * direction is prescribed: from a right angle on it would find its length
-       * backwards. */
+      /** Of the largest angle by which a tangent is turned in an iteration.
+       * Only its direction is prescribed: from a right angle on it would find
+       * its length backwards. */
       constexpr double least_cosine = 0.3;
+
+
+
+      /** The direction of @p goal or, if that is too far from @p now, one on
+       * the way. */
+      Tensor<1, 3>
+      direction_towards(const Tensor<1, 3> &goal, const Tensor<1, 3> &now)
+      {
+        const Tensor<1, 3> begin = now / now.norm(), end = goal / goal.norm();
+        const double       cosine = begin * end;
+        if (cosine >= least_cosine)
+          return end;
+        Tensor<1, 3> across = end - cosine * begin;
+        // Straight back any way is as good as another.
+        if (across.norm() < 1e-6)
+          across = two_normals(begin)[0];
+        return least_cosine * begin +
+               std::sqrt(1. - least_cosine * least_cosine) * across /
+                 across.norm();
+      }
 
 
 
@@ -199,9 +220,10 @@ namespace Heddle
             Tensor<1, 3> motion = goal - state.current()[constraint.block];
             if (held.kind == HeldBlock::Kind::direction)
               {
-                constraint.frame = frame_along(goal);
+                const Tensor<1, 3> &now = state.current()[constraint.block];
+                constraint.frame = frame_along(direction_towards(goal, now));
                 constraint.fixed = {{false, true, true}};
-                motion           = constraint.frame * motion;
+                motion           = -1. * (constraint.frame * now);
               }
             else if (const auto free_component = slides_along(held))
               {
@@ -217,28 +239,6 @@ namespace Heddle
               constraint.pending[d] = constraint.fixed[d] ? motion[d] : 0.;
             constraints.push_back(constraint);
           }
-    }
-
-
-
-    std::string
-    Supports::objection(const System::State &state) const
-    {
-      int is_far = 0;
-      for (const HeldBlock &held : blocks)
-        if (held.kind == HeldBlock::Kind::direction &&
-            held.local_block(state) < state.n_owned_blocks())
-          {
-            const Tensor<1, 3> &before =
-              state.accepted()[held.local_block(state)];
-            const Tensor<1, 3> now = target(held, state.load_factor);
-            if (before * now < least_cosine * before.norm() * now.norm())
-              is_far = 1;
-          }
-      return Utilities::MPI::max(is_far, space.communicator()) > 0
-               ? "a support turns an end of a fiber by more than 70 degrees "
-                 "in one step"
-               : "";
     }
 
 

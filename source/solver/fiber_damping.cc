@@ -77,6 +77,19 @@ namespace Heddle
 
 
 
+    void
+    FiberDamping::end_alone()
+    {
+      if (!alone)
+        return;
+      alone = false;
+      if (first > 0.)
+        for (double &value : values)
+          value = std::max(value, least);
+    }
+
+
+
     double
     FiberDamping::least_of(const unsigned int f) const
     {

@@ -73,6 +73,11 @@ namespace Heddle
       /** Of the residual that is accepted elsewhere, where the equilibrium is
        * not stable. */
       constexpr double on_saddle = 1e-3;
+
+      /** Forces that fall below this part in so many iterations go to nothing
+       * there, and what is left drives nothing off. */
+      constexpr double       saddle_part   = 0.5;
+      constexpr unsigned int saddle_window = 10;
     } // namespace
 
 
@@ -163,6 +168,8 @@ namespace Heddle
     {
       evaluate();
       nonsmooth = equations.is_nonsmooth();
+      if (nonsmooth)
+        tools.damping.end_alone();
       if (nonsmooth && wants_softness())
         {
           equations.set_softness(1.);
@@ -273,9 +280,11 @@ namespace Heddle
       // it may be less than is accepted. Where nothing does forces vanish.
       if (result.unstable && guarded && !equations.state.matrix() &&
           iteration < limit &&
-          residual.ratio > on_saddle * limits.residual_tolerance)
+          residual.ratio > on_saddle * limits.residual_tolerance &&
+          !nears_saddle())
         {
           equations.assemble();
+          n_objections = 0;
           return Verdict::go_on;
         }
       for (const auto &contribution : equations.contributions)
@@ -333,8 +342,21 @@ namespace Heddle
         contribution->begin_step(equations.state);
       tools.damping.reset_alone();
       guarded = true;
+      saddle_forces.clear();
       mean_forces.clear();
       limit += result.iterations;
+    }
+
+
+
+    bool
+    NewtonSearch::nears_saddle()
+    {
+      saddle_forces.push_back(residual.mean_force);
+      const auto n = saddle_forces.size();
+      return n > saddle_window &&
+             saddle_forces[n - 1] <
+               saddle_part * saddle_forces[n - 1 - saddle_window];
     }
 
 

@@ -359,11 +359,13 @@ namespace Heddle
             "other than they are exact, or, where it does turn so, more of "
             "them between its turns.");
 
-        if (order.folded_at > 0)
+        const unsigned int fold =
+          folded_at(fiber.points, 0.5 * reading.element_length);
+        if (fold > 0)
           throw InputError(name + ":" + std::to_string(fiber.first_line) +
                            ": fiber '" + fiber.name +
                            "' goes straight back on itself at point " +
-                           std::to_string(order.folded_at + 1) + " of " +
+                           std::to_string(fold + 1) + " of " +
                            std::to_string(fiber.points.size()) +
                            "; give its points in their order along the fiber "
                            "or, where it does turn so, more of them.");

@@ -61,15 +61,9 @@ namespace Heddle
     order_of(const Polyline &points)
     {
       PointOrder order;
-      for (unsigned int i = points.size() - 1; i-- > 1;)
-        {
-          const Tensor<1, 3> before = points[i] - points[i - 1],
-                             behind = points[i + 1] - points[i];
-          const double part = before * behind / (before.norm() * behind.norm());
-          order.n_turns += part < 0.;
-          if (part < straight_back)
-            order.folded_at = i;
-        }
+      for (unsigned int i = 1; i + 1 < points.size(); ++i)
+        order.n_turns +=
+          (points[i + 1] - points[i]) * (points[i] - points[i - 1]) < 0.;
       if (order.n_turns == 0 || 4 * order.n_turns + 2 < points.size())
         return order;
       const Polyline first(points.begin(),
@@ -80,6 +74,23 @@ namespace Heddle
         length += (first[i + 1] - first[i]).norm();
       order.excess = length / way_by_nearest(first);
       return order;
+    }
+
+
+
+    unsigned int
+    folded_at(const Polyline &points, const double length)
+    {
+      for (unsigned int i = 1; i + 1 < points.size(); ++i)
+        {
+          const Tensor<1, 3> before = points[i] - points[i - 1],
+                             behind = points[i + 1] - points[i];
+          const double shorter      = std::min(before.norm(), behind.norm());
+          if (shorter >= length &&
+              before * behind < straight_back * before.norm() * behind.norm())
+            return i;
+        }
+      return 0;
     }
   } // namespace Textile
 } // namespace Heddle

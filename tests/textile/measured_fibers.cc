@@ -253,7 +253,9 @@ orders()
   refuse_file(shuffled(7, 3));
 
   // Exchanged points of a straight fiber lie on it, those of others beside it.
+  // A fold that is shorter than elements is none of theirs.
   refuse_file("fiber,x,y,z\n1,0,0,0\n1,1,0,0\n1,3,0,0\n1,2,0,0\n1,4,0,0\n");
+  refuse_file("fiber,x,y,z\n1,0,0,0\n1,2,0,0\n1,1.9,0,0\n1,4,0,0\n");
 
   // A loop that closes, and a fiber of which two points are exchanged.
   for (const std::string more :

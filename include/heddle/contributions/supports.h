@@ -82,11 +82,6 @@ namespace Heddle
                           const unsigned int node,
                           const double       load_factor) const;
 
-      /** A tangent whose length is free must not be turned by much in a step.
-       */
-      std::string
-      objection(const System::State &state) const override;
-
       void
       accept_step(const System::State &state) override;
 

@@ -35,11 +35,15 @@ namespace Heddle
 
       /**
        * Hold all fibers back where nothing touches them. What is the least for
-       * fibers in contact is more than slender ones resist along their axes:
-       * theirs is (R / L)^2.
+       * fibers in contact is far more than slender ones resist to being bent:
+       * theirs is (R / L)^4, and they go by parts of their length.
        */
       void
       reset_alone();
+
+      /** Fibers have come to touch: from now on they are held back as such. */
+      void
+      end_alone();
 
       /** Add the stiffness to the blocks that it holds. */
       void

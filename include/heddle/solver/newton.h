@@ -32,12 +32,14 @@ namespace Heddle
              SectionTimer                 &timer,
              StopRequest                  &stop);
 
-      /** From now on contributions are others, and so is the pattern. */
+      /**
+       * From now on contributions are others, and so is the pattern: another
+       * matrix is made, and none is kept beside it.
+       */
       void
       begin_stage()
       {
-        if (tools)
-          tools->system.forget_pattern();
+        tools.reset();
       }
 
       /**

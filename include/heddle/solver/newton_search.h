@@ -130,6 +130,11 @@ namespace Heddle
       void
       begin_again(const std::string &reason);
 
+      /** Whether forces fall towards an equilibrium that is not stable, and do
+       * not lead off it. */
+      bool
+      nears_saddle();
+
       /** Whether unbalanced forces still get smaller, on average. */
       bool
       forces_fall() const;
@@ -229,6 +234,9 @@ namespace Heddle
 
       /** Unbalanced ones since terms have adapted, by iteration [N]. */
       std::vector<double> mean_forces;
+
+      /** Unbalanced ones while the balance is not stable, by iteration [N]. */
+      std::vector<double> saddle_forces;
 
       unsigned int adapted_at = 0; /**< the last iteration that terms did */
       unsigned int n_pending  = 0; /**< with little left of prescribed motion */

@@ -14,10 +14,6 @@ namespace Heddle
        * 90 degrees. */
       unsigned int n_turns = 0;
 
-      /** Of the first of them at which the way goes straight back, and lies on
-       * itself; 0: nowhere. */
-      unsigned int folded_at = 0;
-
       /**
        * How many times as long that way is as the one that goes to the nearest
        * point that is left, from the one that is farthest from the middle. 1
@@ -38,6 +34,14 @@ namespace Heddle
     /** Look at points, no two of which that follow each other are the same. */
     PointOrder
     order_of(const Polyline &points);
+
+    /**
+     * The number, from 0, of the first of these points at which the way goes
+     * straight back, and lies on itself over @p length or more [mm]; 0 if there
+     * is none.
+     */
+    unsigned int
+    folded_at(const Polyline &points, const double length);
   } // namespace Textile
 } // namespace Heddle
 
