@@ -1,10 +1,15 @@
+#include <heddle/contact/contact_element.h>
+#include <heddle/post/crossing_order.h>
 #include <heddle/simulation/crossing_report.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace Heddle
 {

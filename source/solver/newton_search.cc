@@ -73,11 +73,6 @@ namespace Heddle
       /** Of the residual that is accepted elsewhere, where the equilibrium is
        * not stable. */
       constexpr double on_saddle = 1e-3;
-
-      /** Forces that fall below this part in so many iterations go to nothing
-       * there, and what is left drives nothing off. */
-      constexpr double       saddle_part   = 0.5;
-      constexpr unsigned int saddle_window = 10;
     } // namespace
 
 
@@ -104,6 +99,7 @@ namespace Heddle
     {
       system.forget_couplings();
       linear_solver.forget();
+      secants.forget();
       return_freed_memory();
     }
 
@@ -280,8 +276,7 @@ namespace Heddle
       // it may be less than is accepted. Where nothing does forces vanish.
       if (result.unstable && guarded && !equations.state.matrix() &&
           iteration < limit &&
-          residual.ratio > on_saddle * limits.residual_tolerance &&
-          !nears_saddle())
+          residual.ratio > on_saddle * limits.residual_tolerance)
         {
           equations.assemble();
           n_objections = 0;
@@ -342,21 +337,8 @@ namespace Heddle
         contribution->begin_step(equations.state);
       tools.damping.reset_alone();
       guarded = true;
-      saddle_forces.clear();
       mean_forces.clear();
       limit += result.iterations;
-    }
-
-
-
-    bool
-    NewtonSearch::nears_saddle()
-    {
-      saddle_forces.push_back(residual.mean_force);
-      const auto n = saddle_forces.size();
-      return n > saddle_window &&
-             saddle_forces[n - 1] <
-               saddle_part * saddle_forces[n - 1 - saddle_window];
     }
 
 

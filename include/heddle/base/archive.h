@@ -38,7 +38,7 @@ namespace Heddle
       return values.data() + i * n_values;
     }
 
-    /** Have room for so many rows. */
+    /** Have room for so many rows of the parts and values that they have. */
     void
     reserve(const std::size_t n_rows);
 

@@ -15,7 +15,8 @@ namespace Heddle
      * they are, which yarn is on top, how many of their fibers lie otherwise,
      * and what presses between them. Of a weave these are the crossings of its
      * pattern, warp with weft; else those that the mean lines of the yarns have
-     * in the plane of the fabric. A head alone where there are none.
+     * in the plane of the fabric. A head alone where there are none, and
+     * nothing without yarns.
      *
      * @note Collective; other ranks than the first return nothing.
      */

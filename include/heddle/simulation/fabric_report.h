@@ -53,6 +53,7 @@ namespace Heddle
       std::string
       overfull(const unsigned int n_stations) const;
 
+      /** The fibers of a yarn, as polylines in their current place. */
       struct Yarn
       {
         std::string               set;

@@ -143,7 +143,7 @@ namespace Heddle
       LinearResult
       solve(const LinearTask &task = LinearTask());
 
-      /** Forget what is taken from the tangent anew for each solution. */
+      /** Forget the blocks of the fibers, which each solution takes anew. */
       void
       forget();
 

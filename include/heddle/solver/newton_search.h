@@ -59,8 +59,9 @@ namespace Heddle
                   const double                  first_damping);
 
       /**
-       * Give back the memory of what the next search makes anew in any case:
-       * output and checkpoints have use for it.
+       * Give back the memory of couplings and of the blocks of fibers, which
+       * the next search makes anew in any case: output and checkpoints have use
+       * for it. The tangent is none from then on.
        */
       void
       give_memory_back();
@@ -129,11 +130,6 @@ namespace Heddle
       /** From the start, held back as where fibers touch, for @p reason. */
       void
       begin_again(const std::string &reason);
-
-      /** Whether forces fall towards an equilibrium that is not stable, and do
-       * not lead off it. */
-      bool
-      nears_saddle();
 
       /** Whether unbalanced forces still get smaller, on average. */
       bool
@@ -234,9 +230,6 @@ namespace Heddle
 
       /** Unbalanced ones since terms have adapted, by iteration [N]. */
       std::vector<double> mean_forces;
-
-      /** Unbalanced ones while the balance is not stable, by iteration [N]. */
-      std::vector<double> saddle_forces;
 
       unsigned int adapted_at = 0; /**< the last iteration that terms did */
       unsigned int n_pending  = 0; /**< with little left of prescribed motion */
