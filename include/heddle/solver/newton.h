@@ -32,14 +32,12 @@ namespace Heddle
              SectionTimer                 &timer,
              StopRequest                  &stop);
 
-      /**
-       * From now on contributions are others, and so is the pattern: another
-       * matrix is made, and none is kept beside it.
-       */
+      /** From now on contributions are others, and so is the pattern. */
       void
       begin_stage()
       {
-        tools.reset();
+        if (tools)
+          tools->system.forget_pattern();
       }
 
       /**

@@ -61,7 +61,7 @@ namespace Heddle
       /**
        * Give back the memory of couplings and of the blocks of fibers, which
        * the next search makes anew in any case: output and checkpoints have use
-       * for it. The tangent is none from then on.
+       * for it. The tangent is none from then on. Small scenes keep theirs.
        */
       void
       give_memory_back();
