@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -20,8 +21,18 @@ namespace Heddle
       struct YarnCrossing
       {
         unsigned int a, b;
-        bool         is_woven;
-        bool         a_on_top; /**< as the pattern wants it or, without, is */
+
+        /** Where their mean lines pass each other, if they do. */
+        std::optional<std::pair<Tensor<1, 3>, Tensor<1, 3>>> met;
+
+        /** What a pattern wants. */
+        std::optional<bool> a_on_top_wanted;
+
+        bool
+        a_on_top() const
+        {
+          return met->first[2] > met->second[2];
+        }
       };
 
 
@@ -116,21 +127,21 @@ namespace Heddle
                      const std::vector<Polyline>           &mean_lines)
       {
         std::vector<YarnCrossing> result;
+        const auto                add = [&](const unsigned int        a,
+                             const unsigned int        b,
+                             const std::optional<bool> wanted) {
+          const auto met = Post::crossing_points(mean_lines[a], mean_lines[b]);
+          if (met || wanted)
+            result.push_back({a, b, met, wanted});
+        };
         if (weave != nullptr)
-          {
-            for (const Textile::Crossing &crossing : weave->crossings())
-              result.push_back({crossing.warp_yarn,
-                                crossing.weft_yarn,
-                                true,
-                                crossing.warp_on_top});
-            return result;
-          }
-        for (unsigned int a = 0; a < mean_lines.size(); ++a)
-          for (unsigned int b = a + 1; b < mean_lines.size(); ++b)
-            if (yarns[a].set != yarns[b].set)
-              if (const auto met =
-                    Post::crossing_points(mean_lines[a], mean_lines[b]))
-                result.push_back({a, b, false, met->first[2] > met->second[2]});
+          for (const Textile::Crossing &crossing : weave->crossings())
+            add(crossing.warp_yarn, crossing.weft_yarn, crossing.warp_on_top);
+        else
+          for (unsigned int a = 0; a < mean_lines.size(); ++a)
+            for (unsigned int b = a + 1; b < mean_lines.size(); ++b)
+              if (yarns[a].set != yarns[b].set)
+                add(a, b, {});
         return result;
       }
     } // namespace
@@ -159,18 +170,18 @@ namespace Heddle
         {
           const unsigned int a = crossing.a, b = crossing.b;
           out << a << ',' << b;
-          const auto met = Post::crossing_points(mean_lines[a], mean_lines[b]);
-          if (met)
-            out << ',' << met->first[0] << ',' << met->first[1] << ','
-                << met->first[2] << ',' << met->second[2] << ','
-                << (met->first[2] > met->second[2]);
+          if (crossing.met)
+            out << ',' << crossing.met->first[0] << ','
+                << crossing.met->first[1] << ',' << crossing.met->first[2]
+                << ',' << crossing.met->second[2] << ',' << crossing.a_on_top();
           else
             out << ",,,,,";
           out << ',';
-          if (crossing.is_woven)
-            out << crossing.a_on_top;
+          if (crossing.a_on_top_wanted)
+            out << *crossing.a_on_top_wanted;
           Post::OrderedFibers pair{yarns[a].fibers, yarns[b].fibers};
-          if (!crossing.a_on_top)
+          if (!(crossing.a_on_top_wanted ? *crossing.a_on_top_wanted
+                                         : crossing.a_on_top()))
             std::swap(pair.upper, pair.lower);
           const Post::CrossingCount count =
             Post::count_crossing_order(fabric.centerlines(), {pair});
