@@ -1,5 +1,6 @@
 // How a search finds the increment of an iteration, and how much of it is
 // taken.
+#include <heddle/solver/fiber_spin.h>
 #include <heddle/solver/force_search.h>
 #include <heddle/solver/motion_in_parts.h>
 #include <heddle/solver/newton_search.h>
@@ -126,6 +127,10 @@ namespace Heddle
         tools.secants.complete(equations.system.right_hand_side(),
                                equations.system.solution());
       equations.system.extract_increment(increment);
+      if (nonsmooth && is_in_place() &&
+          !equations.system.has_unsymmetric_terms() &&
+          limit_spin(equations.state, increment))
+        equations.system.replace_increment(increment);
     }
 
 
@@ -186,7 +191,7 @@ namespace Heddle
       for (Tensor<1, 3> &motion_of_block : increment)
         motion_of_block *= taken;
       n_whole += taken < 1. ? 0 : 1;
-      tools.secants.take(taken);
+      tools.secants.take(taken, equations.system.solution());
       for (const auto &contribution : equations.contributions)
         contribution->predict(equations.state, increment);
       equations.state.move(1., increment);

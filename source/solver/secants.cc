@@ -113,8 +113,17 @@ namespace Heddle
                         pairs[i].projected - work / pairs[i].work,
                         pairs[i].motion));
         }
-      petsc(VecCopy(solution, solved));
       known = true;
+    }
+
+
+
+    void
+    Secants::take(const double part, Vec solution)
+    {
+      step_taken = part;
+      if (known)
+        petsc(VecCopy(solution, solved));
     }
   } // namespace Solver
 } // namespace Heddle

@@ -431,5 +431,17 @@ namespace Heddle
       prescribed.turn_out_of_frames(values);
       state.update_ghosts(values);
     }
+
+
+
+    void
+    BlockSystem::replace_increment(std::vector<Tensor<1, 3>> &values)
+    {
+      values.resize(state.n_owned_blocks());
+      prescribed.turn_into_frames(values);
+      prescribed.clear_fixed(values);
+      fill(increment, values);
+      extract_increment(values);
+    }
   } // namespace System
 } // namespace Heddle

@@ -143,7 +143,7 @@ converge(const bool corrected, const unsigned int n_steps)
       const double part = problem.best_part();
       petsc(VecAXPY(problem.u, part, problem.solution));
       if (corrected)
-        secants.take(part);
+        secants.take(part, problem.solution);
 
       // The change of forces along the step, A s, asks for s.
       petsc(VecScale(problem.solution, part));
@@ -189,7 +189,7 @@ nothing_learned()
           secants.reduce(problem.rhs);
           problem.solve();
           secants.complete(problem.rhs, problem.solution);
-          secants.take(taken);
+          secants.take(taken, problem.solution);
         }
       Vec corrected;
       petsc(VecDuplicate(problem.solution, &corrected));

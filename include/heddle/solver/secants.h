@@ -38,7 +38,7 @@ namespace Heddle
        * The right-hand side of a system that is to be solved: forces that are
        * to be balanced. If a step was taken since the last ones, it is learned
        * from, unless they hardly changed along it.
-       * @note Collective, as are the next two.
+       * @note Collective, as are the next three.
        */
       void
       observe(Vec right_hand_side);
@@ -54,12 +54,9 @@ namespace Heddle
       void
       complete(Vec right_hand_side, Vec solution);
 
-      /** The part @p taken of the last solution has been gone. */
+      /** A @p part of the last solution, or of what it was made, is gone. */
       void
-      take(const double taken)
-      {
-        step_taken = taken;
-      }
+      take(const double part, Vec solution);
 
     private:
       struct Pair
@@ -73,7 +70,7 @@ namespace Heddle
       std::vector<Pair> pairs;
       unsigned int      n_used     = 0;
       Vec               before     = nullptr; /**< what was observed */
-      Vec               solved     = nullptr; /**< the last solution */
+      Vec               solved     = nullptr; /**< what steps are parts of */
       Vec               whole      = nullptr; /**< what was to be reduced */
       bool              known      = false;   /**< whether these two are */
       double            step_taken = 0.;

@@ -285,6 +285,13 @@ namespace Heddle
       void
       extract_increment(std::vector<Tensor<1, 3>> &values) const;
 
+      /**
+       * Make a motion of blocks the solution, but for what is prescribed of
+       * it; then it is @p values what the solution is turned into.
+       */
+      void
+      replace_increment(std::vector<Tensor<1, 3>> &values);
+
       const State &state;
 
     private:
