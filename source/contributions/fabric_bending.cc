@@ -86,6 +86,21 @@ namespace Heddle
 
 
     Tensor<1, 3>
+    FabricBending::flattened(const Tensor<1, 3> &place,
+                             const double        load_factor) const
+    {
+      const double k = curvature(load_factor), x = place[along],
+                   z      = place[upwards];
+      Tensor<1, 3> result = place;
+      result[along]       = k == 0. ? x : std::atan2(k * x, 1. - k * z) / k;
+      result[upwards] =
+        (2. * z - k * (x * x + z * z)) / (1. + std::hypot(k * x, 1. - k * z));
+      return result;
+    }
+
+
+
+    Tensor<1, 3>
     FabricBending::displacement_rate(const Tensor<1, 3> &position,
                                      const double        load_factor) const
     {

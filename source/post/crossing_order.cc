@@ -201,13 +201,17 @@ namespace Heddle
 
     CrossingCount
     count_crossing_order(const System::State              &state,
-                         const std::vector<OrderedFibers> &crossings)
+                         const std::vector<OrderedFibers> &crossings,
+                         const PointMap                   &flattened)
     {
       const MPI_Comm        communicator = state.space.communicator();
       const auto            range        = state.space.owned_fibers();
       std::vector<Polyline> own(state.space.n_fibers());
       for (unsigned int f = range.first; f < range.second; ++f)
-        own[f] = centerline(state, f, pieces_per_interval);
+        {
+          own[f] = centerline(state, f, pieces_per_interval);
+          move_points(own[f], flattened);
+        }
 
       CrossingCount      count;
       const unsigned int n_ranks =

@@ -81,7 +81,8 @@ namespace Heddle
           // that has yet to begin sees to this by itself.
           if (place.stepping->has_begun())
             update_contacts();
-          place.crossings = scene.count_crossings();
+          place.crossings =
+            scene.count_crossings(scene.stages()[place.stage].flattened);
           recorder.continue_from(place);
           if (recorder.has_ended(place))
             log << "Note           this run has ended: nothing is left to "
@@ -234,7 +235,7 @@ namespace Heddle
           Solver::NewtonResult result = try_step(stage);
           recorder.count(place.stage, result);
           if (result.converged)
-            place.crossings = scene.count_crossings();
+            place.crossings = scene.count_crossings(stage.flattened);
           if (result.converged && stage.is_loaded())
             {
               result.obstacle  = stage.objection(place.crossings);

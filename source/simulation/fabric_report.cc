@@ -46,13 +46,15 @@ namespace Heddle
 
 
 
-    FabricReport::FabricReport(const System::State &state)
+    FabricReport::FabricReport(const System::State &state,
+                               const PointMap      &flattened)
       : space(state.space)
       , lines(Post::gather_centerlines(state, n_pieces))
       , all_yarns(lines.empty() ? 0 : state.space.n_yarns())
     {
       for (unsigned int f = 0; f < lines.size(); ++f)
         {
+          move_points(lines[f], flattened);
           const System::Fiber &fiber = state.space.fiber(f);
           if (fiber.yarn_id == numbers::invalid_unsigned_int)
             continue;

@@ -6,7 +6,6 @@
 #include <heddle/io/collection.h>
 #include <heddle/post/centerline.h>
 #include <heddle/simulation/crossing_report.h>
-#include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
 
@@ -155,7 +154,7 @@ namespace Heddle
       write_pictures(place, "start");
       if (scene.stages().empty())
         {
-          measure_yarns();
+          measure_yarns(place);
           write_centerlines();
         }
       write_summary();
@@ -188,7 +187,7 @@ namespace Heddle
           // there may be that of a later one.
           if (place.stepping->finished())
             {
-              measure_yarns();
+              measure_yarns(place);
               write_centerlines();
             }
         }
@@ -311,7 +310,7 @@ namespace Heddle
       if (last)
         {
           summary.stages[place.stage].status = IO::Status::converged;
-          measure_yarns();
+          measure_yarns(place);
           write_centerlines();
         }
       // Once there is a checkpoint, a run may go on from this configuration.
@@ -379,7 +378,7 @@ namespace Heddle
             balance.add(values);
           values[energy_imbalance] = balance.imbalance();
         }
-      measure_fabric(values);
+      measure_fabric(place, values);
       add_to_history(place, result, values);
     }
 
@@ -395,16 +394,27 @@ namespace Heddle
 
 
 
+    FabricReport
+    Recorder::measured(const Place &place) const
+    {
+      const std::vector<Stage> &stages = scene.stages();
+      return FabricReport(scene.state(),
+                          stages.empty() ? PointMap()
+                                         : stages[place.stage].flattened);
+    }
+
+
+
     void
-    Recorder::measure_fabric(std::map<std::string, double> &values) const
+    Recorder::measure_fabric(const Place                   &place,
+                             std::map<std::string, double> &values) const
     {
       const unsigned int n_stations = parameters.output.yarn_stations;
       if (scene.space().n_yarns() == 0 || n_stations == 0)
         return;
       // Checkpoints hold the history, and all ranks write them.
       const auto results = Utilities::MPI::broadcast(
-        scene.space().communicator(),
-        FabricReport(scene.state()).results(n_stations, {}));
+        scene.space().communicator(), measured(place).results(n_stations, {}));
       for (const auto &result : results)
         if (history.has_column(split(result.first).first))
           values.insert(result);
@@ -413,12 +423,12 @@ namespace Heddle
 
 
     void
-    Recorder::measure_yarns()
+    Recorder::measure_yarns(const Place &place)
     {
       const unsigned int n_stations = parameters.output.yarn_stations;
       if (scene.space().n_yarns() == 0 || n_stations == 0)
         return;
-      const FabricReport fabric(scene.state());
+      const FabricReport fabric    = measured(place);
       const std::string  crossings = crossings_csv(scene, fabric);
       if (!first_rank)
         return;

@@ -130,7 +130,7 @@ namespace Heddle
 
 
     Post::CrossingCount
-    Scene::count_crossings() const
+    Scene::count_crossings(const PointMap &flattened) const
     {
       if (!woven)
         return {};
@@ -147,7 +147,7 @@ namespace Heddle
           else
             pairs.push_back({weft, warp});
         }
-      return Post::count_crossing_order(*configuration, pairs);
+      return Post::count_crossing_order(*configuration, pairs, flattened);
     }
 
 
@@ -373,10 +373,13 @@ namespace Heddle
                                                      parameters.matrix.enabled);
       for (const Contributions::FabricCase &test : fabric_cases)
         {
-          add_load_stage(test.name,
-                         std::make_shared<Contributions::FabricSupports>(
-                           *fiber_space, initial_blocks, test, size));
+          const auto supports = std::make_shared<Contributions::FabricSupports>(
+            *fiber_space, initial_blocks, test, size);
+          add_load_stage(test.name, supports);
           all_stages.back().begins_initially = true;
+          all_stages.back().flattened = [this, supports](const auto &place) {
+            return supports->flattened(place, configuration->load_factor);
+          };
           all_stages.back().plan.reach(
             parameters.fabric_loading.turning_points());
         }

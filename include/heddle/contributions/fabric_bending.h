@@ -62,6 +62,18 @@ namespace Heddle
       displacement(const Tensor<1, 3> &position,
                    const double        load_factor) const;
 
+      /**
+       * Where a point at @p place of the bent fabric was in the flat one: the
+       * inverse of the motion, for turns of less than half a circle. With
+       * @f$h = |(\kappa x, 1 - \kappa z)|@f$
+       * @f[
+       *   X = \frac{1}{\kappa} \arctan \frac{\kappa x}{1 - \kappa z}, \qquad
+       *   Z = \frac{2 z - \kappa (x^2 + z^2)}{1 + h}.
+       * @f]
+       */
+      Tensor<1, 3>
+      flattened(const Tensor<1, 3> &place, const double load_factor) const;
+
       /** Its derivative by the curvature [mm^2]. */
       Tensor<1, 3>
       displacement_rate(const Tensor<1, 3> &position,

@@ -74,6 +74,16 @@ namespace Heddle
       void
       load(const ArchiveReader &archive, const System::State &state) override;
 
+      /** Where a point at @p place is if the sample is flattened again: there,
+       * unless it is bent. */
+      Tensor<1, 3>
+      flattened(const Tensor<1, 3> &place, const double load_factor) const
+      {
+        return test.bending
+                 ? origin + test.bending->flattened(place - origin, load_factor)
+                 : place;
+      }
+
     private:
       template <typename Value>
       using Both = FabricMotion::Both<Value>;

@@ -77,12 +77,14 @@ namespace Heddle
 
     /**
      * The same of the centerlines of all ranks: each compares its own fibers
-     * with those that one rank after another shows to all.
+     * with those that one rank after another shows to all. Of a fabric that is
+     * bent @p flattened tells where points are if it is flat again.
      * @note Collective.
      */
     CrossingCount
     count_crossing_order(const System::State              &state,
-                         const std::vector<OrderedFibers> &crossings);
+                         const std::vector<OrderedFibers> &crossings,
+                         const PointMap                   &flattened = {});
   } // namespace Post
 } // namespace Heddle
 

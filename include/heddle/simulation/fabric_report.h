@@ -21,10 +21,10 @@ namespace Heddle
     public:
       /**
        * Collect the fibers on rank 0: only there the members below have
-       * something to say.
+       * something to say. A fabric that is bent is measured @p flattened.
        * @note Collective.
        */
-      FabricReport(const System::State &state);
+      FabricReport(const System::State &state, const PointMap &flattened = {});
 
       /**
        * The sections of all yarns at @p n_stations equal fractions of their

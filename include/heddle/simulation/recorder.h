@@ -12,6 +12,7 @@
 #include <heddle/io/plate_output.h>
 #include <heddle/io/summary.h>
 #include <heddle/simulation/energy_balance.h>
+#include <heddle/simulation/fabric_report.h>
 #include <heddle/simulation/scene.h>
 #include <heddle/solver/predictor.h>
 
@@ -230,15 +231,20 @@ namespace Heddle
                    const double       time,
                    const std::string &group);
 
+      /** Its yarns, flattened again if they are bent. @note Collective. */
+      FabricReport
+      measured(const Place &place) const;
+
       /** Add what a fabric is measured by in each step, if wanted.
        * @note Collective. */
       void
-      measure_fabric(std::map<std::string, double> &values) const;
+      measure_fabric(const Place                   &place,
+                     std::map<std::string, double> &values) const;
 
       /** Sections of the yarns and what a data sheet says of the fabric, if
        * they are asked for. @note Collective. */
       void
-      measure_yarns();
+      measure_yarns(const Place &place);
 
       /** If it is asked for. @note Collective. */
       void

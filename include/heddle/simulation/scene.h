@@ -136,12 +136,12 @@ namespace Heddle
       ends_initially(const unsigned int stage) const;
 
       /**
-       * How the fibers of a weave lie where its pattern has them cross; none
-       * without a weave.
+       * How the fibers of a weave lie where its pattern has them cross, if it
+       * is @p flattened again where a stage bends it; none without a weave.
        * @note Collective.
        */
       Post::CrossingCount
-      count_crossings() const;
+      count_crossings(const PointMap &flattened = {}) const;
 
       /** Of all fibers when they are free; 0: not known [g/cm^3]. */
       const std::vector<double> &

@@ -75,6 +75,9 @@ namespace Heddle
       /** Whether it begins in the initial configuration, as all cases do. */
       bool begins_initially = false;
 
+      /** Where points of a fabric that it bends are if this is flat again. */
+      PointMap flattened;
+
       /** Prepares the scene when the stage begins, not when it is resumed. */
       std::function<void()> begin = [] {};
 
