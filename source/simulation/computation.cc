@@ -30,6 +30,12 @@ namespace Heddle
         "by its tension, Initial configuration/Axial tension times its E A, "
         "or set Restart/Stress free";
 
+      /** The same of a test, which has supports of its own. */
+      const char *const let_go =
+        "at load factor 0 the guides of the initial configuration are gone, "
+        "and its tension where a test lets go of yarns: set Restart/Stress "
+        "free, or give less Initial configuration/Axial tension";
+
       /**
        * What forces that are the last digits of those by which fibers resist
        * can do as they are turned by their length [N mm]: solved systems have
@@ -359,8 +365,10 @@ namespace Heddle
               << limits.most_iterations << " iterations" << std::endl;
           return;
         }
-      const std::string advice =
-        to_zero ? loose_ends : missing_torsion(scene, parameters);
+      const std::string advice = !to_zero ? missing_torsion(scene, parameters)
+                                 : parameters.fabric_loading.is_active()
+                                   ? let_go
+                                   : loose_ends;
       throw NotConverged(
         "No equilibrium in " + where + " after " +
         std::to_string(result.iterations) + " iterations" +

@@ -54,13 +54,14 @@ namespace Heddle
                     "Engineering strain, where the ramp is 1, of the warp or, "
                     "in uniaxial tension, of the direction in which it is "
                     "pulled. Inactive in other tests [-].");
-      add_parameter("Strain ratios",
-                    strain_ratios,
-                    "Strain of the warp over that of the weft, one load case "
-                    "each, as in '1, 2, 4'. Inactive unless 'Kind' is "
-                    "'biaxial tension' [-].",
-                    prm,
-                    Patterns::List(Patterns::Double(), 1));
+      add_parameter(
+        "Strain ratios",
+        strain_ratios,
+        "Strain of the warp over that of the weft, above 0, one "
+        "load case each, as in '1, 2, 4'. Inactive unless 'Kind' is "
+        "'biaxial tension' [-].",
+        prm,
+        Patterns::List(Patterns::Double(), 1));
       add_choice(*this,
                  "Direction",
                  direction,

@@ -17,8 +17,10 @@ namespace Heddle
         shear_modulus,
         "Shear modulus; 0: of an isotropic fiber, E / (2 (1 + nu)). "
         "Carbon and aramid are far softer. Where it is less than about a "
-        "hundredth of the axial modulus few and thick fibers kink as they "
-        "cross, and an equilibrium may not be found. Inactive for 'hermite' "
+        "fortieth of the axial modulus few and thick fibers kink as they "
+        "cross: searches are long, and an equilibrium may not be found. There "
+        "give as many elements that none is bent by more than sqrt(8 G / E), "
+        "for beyond that its ends spin for nothing. Inactive for 'hermite' "
         "[MPa].",
         ParameterAcceptor::prm,
         Patterns::Double(0.));
