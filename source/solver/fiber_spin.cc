@@ -11,8 +11,9 @@ namespace Heddle
   {
     namespace
     {
-      /** Section vectors become longer by less than half a thousandth: fibers
-       * of fabrics are strained as much as they settle. */
+      /** Of fibers that hardly move. Section vectors become longer by less than
+       * half a thousandth: fibers of fabrics are strained as much as they
+       * settle. */
       constexpr double largest_spin = 0.03;
 
       /** A position and two section vectors. */
@@ -70,16 +71,18 @@ namespace Heddle
       const auto owned = space.owned_fibers();
       for (unsigned int f = owned.first; f < owned.second; ++f)
         {
-          double most = 0.;
+          double most = 0., allowed = largest_spin;
           for_each_node(state, f, [&](const unsigned int node) {
             most = std::max(most, std::abs(spin(state, increment, node)));
+            allowed =
+              std::max(allowed, increment[node].norm() / space.fiber(f).radius);
           });
-          if (most <= largest_spin)
+          if (most <= allowed)
             continue;
           any = true;
           for_each_node(state, f, [&](const unsigned int node) {
             const double excess =
-              (1. - largest_spin / most) * spin(state, increment, node);
+              (1. - allowed / most) * spin(state, increment, node);
             increment[node + 1] -= excess * state.current()[node + 2];
             increment[node + 2] += excess * state.current()[node + 1];
           });

@@ -1,7 +1,7 @@
-// No fiber spins about its axis by more than 0.03 along an increment: what is
-// more is taken from all of its sections in one proportion. Motions without
-// spin, fibers that spin less, and positions stay as they are. Fibers without
-// sections do not spin.
+// No fiber spins about its axis by more than 0.03, or than it moves in radii,
+// along an increment: what is more is taken from all of its sections in one
+// proportion. Motions without spin, fibers that spin less, and positions stay
+// as they are. Fibers without sections do not spin.
 #include <heddle/solver/fiber_spin.h>
 
 #include "../contributions/scene.h"
@@ -79,7 +79,7 @@ spin_of_two_fibers()
   std::uniform_real_distribution<double> number(-0.2, 0.2);
   for (unsigned int b = 0; b < rest.size(); b += 3)
     for (unsigned int d = 0; d < 3; ++d)
-      rest[b][d] = number(random);
+      rest[b][d] = 0.008 * number(random);
 
   // Sections of the first fiber tilt, too, about what lies in them.
   for (unsigned int i = 0; i < n_knots; ++i)
@@ -111,6 +111,21 @@ spin_of_two_fibers()
   deallog << "spin by 2 of the other one: "
           << Solver::limit_spin(*fibers.state, increment)
           << ", then as if it were 0.03: "
+          << (largest_difference(increment, expected) < 1e-14) << std::endl;
+
+  // It moves by 1.5 radii.
+  rest[fibers.node(0, 2)] = Tensor<1, 3>({0., 0., 0.15});
+  increment               = rest;
+  fibers.turn(0, grows, Tensor<1, 3>(), increment);
+  expected = rest;
+  fibers.turn(
+    0,
+    [&](const unsigned int i) { return 1.5 / grows(n_knots - 1) * grows(i); },
+    Tensor<1, 3>(),
+    expected);
+  deallog << "moved by 1.5 radii: "
+          << Solver::limit_spin(*fibers.state, increment)
+          << ", then as if it were 1.5: "
           << (largest_difference(increment, expected) < 1e-14) << std::endl;
 }
 

@@ -10,9 +10,13 @@ namespace Heddle
     using namespace dealii;
 
     /**
-     * Let no fiber spin about its own axis by more than 0.03 along an
-     * @p increment: what its sections turn by about it is made smaller by one
-     * factor for each fiber. Return whether there was any.
+     * Let no fiber spin about its own axis by more than 0.03, or by as much as
+     * it moves, in radii, along an @p increment: what its sections turn by
+     * about it is made smaller by one factor for each fiber. Return whether
+     * there was any.
+     *
+     * Wires of a strand that is pulled do spin, as they come to lie on each
+     * other, by less than they move.
      *
      * Where nothing rubs, and ends are free to turn, next to nothing resists
      * that fibers spin, and no force asks for it: what solvers leave of the
