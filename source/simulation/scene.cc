@@ -377,9 +377,10 @@ namespace Heddle
             *fiber_space, initial_blocks, test, size);
           add_load_stage(test.name, supports);
           all_stages.back().begins_initially = true;
-          all_stages.back().flattened = [this, supports](const auto &place) {
-            return supports->flattened(place, configuration->load_factor);
-          };
+          if (test.bending)
+            all_stages.back().flattened = [this, supports](const auto &place) {
+              return supports->flattened(place, configuration->load_factor);
+            };
           all_stages.back().plan.reach(
             parameters.fabric_loading.turning_points());
         }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace Heddle
 {
@@ -13,6 +14,45 @@ namespace Heddle
   {
     namespace
     {
+      /**
+       * The distance of fibers, in radii, from which on they are clear of each
+       * other in a yarn as it is packed: sections normal to inclined fibers
+       * come closer than those that the packing sees, which are normal to the
+       * yarn.
+       */
+      double
+      least_spacing(const YarnFamily &yarns)
+      {
+        const double tangent =
+          2. * numbers::PI * yarns.twist * pack_yarn(yarns.packing, 0).radius;
+        return 2. * std::sqrt(1. + tangent * tangent);
+      }
+
+
+
+      /**
+       * The spacing that is enough for a yarn which is as thick as that makes
+       * it, rounded up to a thousandth: fibers are inclined the more the
+       * further out they are. Infinite if there is none.
+       */
+      double
+      enough_spacing(YarnFamily yarns)
+      {
+        constexpr unsigned int most_trials = 100;
+        constexpr double       digits      = 1000.;
+        for (unsigned int trial = 0; trial < most_trials; ++trial)
+          {
+            const double needed =
+              std::ceil(digits * least_spacing(yarns)) / digits;
+            if (yarns.packing.spacing >= needed)
+              return yarns.packing.spacing;
+            yarns.packing.spacing = needed;
+          }
+        return std::numeric_limits<double>::infinity();
+      }
+
+
+
       void
       check_family(const YarnFamily &yarns, const std::string &where)
       {
@@ -24,17 +64,19 @@ namespace Heddle
                            " mm; it must be positive, or 0 to be chosen.");
         check_packing(yarns.packing, where);
 
-        // Sections normal to inclined fibers come closer than those that the
-        // packing sees, which are normal to the yarn.
-        const double tangent =
-          2. * numbers::PI * yarns.twist * pack_yarn(yarns.packing, 0).radius;
-        const double needed = 2. * std::sqrt(1. + tangent * tangent);
+        const double needed = least_spacing(yarns);
         if (!(yarns.packing.spacing >= needed))
-          throw InputError(where + ": a twist of " + number_text(yarns.twist) +
-                           " turns per mm presses the fibers into each other; "
-                           "lower it, or raise the packing spacing from " +
-                           number_text(yarns.packing.spacing) +
-                           " to at least " + number_text(needed) + ".");
+          {
+            const double enough = enough_spacing(yarns);
+            throw InputError(
+              where + ": a twist of " + number_text(yarns.twist) +
+              " turns per mm presses the fibers into each other; lower it" +
+              (std::isfinite(enough) ? ", or raise the packing spacing from " +
+                                         number_text(yarns.packing.spacing) +
+                                         " to at least " + number_text(enough)
+                                     : ": no packing spacing is enough") +
+              ".");
+          }
       }
     } // namespace
 

@@ -172,6 +172,34 @@ no_weaves()
 
 
 
+/** The spacing that a refused twist names is the least that is enough. */
+void
+named_spacing()
+{
+  const auto twisted = [](const double spacing) {
+    WeaveDescription weave;
+    weave.warp.twist           = 5.;
+    weave.warp.packing.spacing = spacing;
+    return weave;
+  };
+  try
+    {
+      const Weave weave(twisted(2.04));
+      deallog << "accepted" << std::endl;
+    }
+  catch (const Heddle::InputError &error)
+    {
+      const std::string message = error.what();
+      const std::string before  = "at least ";
+      const double      named =
+        std::stod(message.substr(message.find(before) + before.size()));
+      refuse([&](auto &weave) { weave = twisted(named); });
+      refuse([&](auto &weave) { weave = twisted(named - 0.002); });
+    }
+}
+
+
+
 /** Largest minus smallest distance of neighbouring knots over their mean. */
 double
 unevenness(const FiberPath &fiber)
@@ -340,6 +368,7 @@ main()
   run_part("What is no pattern", no_patterns);
   run_part("Parameters", parameters);
   run_part("What is no weave", no_weaves);
+  run_part("Spacing that a refused twist names", named_spacing);
   run_part("Notes", notes);
   run_part("Paths of fibers", paths);
   run_part("Distances of fibers in the crimped start", distances);
