@@ -30,11 +30,25 @@ namespace Heddle
         "by its tension, Initial configuration/Axial tension times its E A, "
         "or set Restart/Stress free";
 
-      /** The same of a test, which has supports of its own. */
-      const char *const let_go =
-        "at load factor 0 the guides of the initial configuration are gone, "
-        "and its tension where a test lets go of yarns: set Restart/Stress "
-        "free, or give less Initial configuration/Axial tension";
+      /**
+       * The same of a test, which has supports of its own. Friction spins
+       * fibers, also those that stand for many filaments, which next to nothing
+       * resists.
+       */
+      std::string
+      let_go(const Parameters &parameters)
+      {
+        return "at load factor 0 the guides of the initial configuration are "
+               "gone, and its tension where a test lets go of yarns: set "
+               "Restart/Stress free, or give less Initial configuration/Axial "
+               "tension" +
+               std::string(
+                 parameters.fiber.element_kind == Beam::ElementKind::director &&
+                     parameters.contact.has_friction()
+                   ? ", or set Fiber/Element to hermite, whose fibers "
+                     "do not spin"
+                   : "");
+      }
 
       /**
        * What forces that are the last digits of those by which fibers resist
@@ -367,7 +381,7 @@ namespace Heddle
         }
       const std::string advice = !to_zero ? missing_torsion(scene, parameters)
                                  : parameters.fabric_loading.is_active()
-                                   ? let_go
+                                   ? let_go(parameters)
                                    : loose_ends;
       throw NotConverged(
         "No equilibrium in " + where + " after " +
