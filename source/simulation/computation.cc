@@ -30,6 +30,8 @@ namespace Heddle
         "by its tension, Initial configuration/Axial tension times its E A, "
         "or set Restart/Stress free";
 
+
+
       /**
        * The same of a test, which has supports of its own. Friction spins
        * fibers, also those that stand for many filaments, which next to nothing
@@ -38,17 +40,21 @@ namespace Heddle
       std::string
       let_go(const Parameters &parameters)
       {
-        return "at load factor 0 the guides of the initial configuration are "
-               "gone, and its tension where a test lets go of yarns: set "
-               "Restart/Stress free, or give less Initial configuration/Axial "
-               "tension" +
-               std::string(
-                 parameters.fiber.element_kind == Beam::ElementKind::director &&
-                     parameters.contact.has_friction()
-                   ? ", or set Fiber/Element to hermite, whose fibers "
-                     "do not spin"
-                   : "");
+        const bool spins =
+          parameters.fiber.element_kind == Beam::ElementKind::director;
+        return std::string("at load factor 0 the guides of the initial "
+                           "configuration are gone, and its tension where a "
+                           "test lets go of yarns: give less Initial "
+                           "configuration/Axial tension, or set Restart/Stress "
+                           "free") +
+               (!spins ? ", with Fiber/Element = director"
+                : parameters.contact.has_friction()
+                  ? ", or Fiber/Element = hermite, whose fibers do not "
+                    "spin"
+                  : "");
       }
+
+
 
       /**
        * What forces that are the last digits of those by which fibers resist
