@@ -22,13 +22,36 @@ namespace Heddle
       /** A step to where nothing is stable is halved so many times. */
       constexpr unsigned int most_jumps = 4;
 
+      bool
+      has_sections(const Parameters &parameters)
+      {
+        return parameters.fiber.element_kind == Beam::ElementKind::director;
+      }
+
+
+
+      /** Curved fibers without torsion cannot begin free of stress. */
+      std::string
+      begin_free_of_stress(const Parameters &parameters)
+      {
+        return std::string("set Restart/Stress free") +
+               (has_sections(parameters) ? ""
+                                         : ", with Fiber/Element = director");
+      }
+
+
+
       /** Why a fabric may find no equilibrium before anything moves. */
-      const char *const loose_ends =
-        "at load factor 0 the guides and the tension of the initial "
-        "configuration are gone, and yarns shrink and slip whose ends no "
-        "support holds: hold these, across too, or load each of their fibers "
-        "by its tension, Initial configuration/Axial tension times its E A, "
-        "or set Restart/Stress free";
+      std::string
+      loose_ends(const Parameters &parameters)
+      {
+        return "at load factor 0 the guides and the tension of the initial "
+               "configuration are gone, and yarns shrink and slip whose ends "
+               "no support holds: hold these, across too, or load each of "
+               "their fibers by its tension, Initial configuration/Axial "
+               "tension times its E A, or " +
+               begin_free_of_stress(parameters);
+      }
 
 
 
@@ -40,17 +63,12 @@ namespace Heddle
       std::string
       let_go(const Parameters &parameters)
       {
-        const bool spins =
-          parameters.fiber.element_kind == Beam::ElementKind::director;
-        return std::string("at load factor 0 the guides of the initial "
-                           "configuration are gone, and its tension where a "
-                           "test lets go of yarns: give less Initial "
-                           "configuration/Axial tension, or set Restart/Stress "
-                           "free") +
-               (!spins ? ", with Fiber/Element = director"
-                : parameters.contact.has_friction()
-                  ? ", or Fiber/Element = hermite, whose fibers do not "
-                    "spin"
+        return "at load factor 0 the guides of the initial configuration are "
+               "gone, and its tension where a test lets go of yarns: give less "
+               "Initial configuration/Axial tension, or " +
+               begin_free_of_stress(parameters) +
+               (has_sections(parameters) && parameters.contact.has_friction()
+                  ? ", or Fiber/Element = hermite, whose fibers do not spin"
                   : "");
       }
 
@@ -388,7 +406,7 @@ namespace Heddle
       const std::string advice = !to_zero ? missing_torsion(scene, parameters)
                                  : parameters.fabric_loading.is_active()
                                    ? let_go(parameters)
-                                   : loose_ends;
+                                   : loose_ends(parameters);
       throw NotConverged(
         "No equilibrium in " + where + " after " +
         std::to_string(result.iterations) + " iterations" +
