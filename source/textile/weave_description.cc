@@ -38,9 +38,9 @@ namespace Heddle
       double
       enough_spacing(YarnFamily yarns)
       {
-        constexpr unsigned int most_trials = 100;
-        constexpr double       digits      = 1000.;
-        for (unsigned int trial = 0; trial < most_trials; ++trial)
+        constexpr double widest = 10.; // further apart they are no yarn
+        constexpr double digits = 1000.;
+        while (yarns.packing.spacing <= widest)
           {
             const double needed =
               std::ceil(digits * least_spacing(yarns)) / digits;

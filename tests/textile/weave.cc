@@ -153,6 +153,7 @@ no_weaves()
   refuse([](auto &weave) { weave.warp.n_yarns = 0; });
   refuse([](auto &weave) { weave.weft.spacing = -1.; });
   refuse([](auto &weave) { weave.warp.twist = 50.; });
+  refuse([](auto &weave) { weave.warp.twist = 1e6; });
   refuse([](auto &weave) { weave.end_length = -0.5; });
   refuse([](auto &weave) { weave.crimp_transition = 0.; });
   refuse([](auto &weave) { weave.crimp_factor = -1.; });
