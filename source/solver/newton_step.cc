@@ -225,10 +225,6 @@ namespace Heddle
                                               largest);
           if (part > 0.)
             return part;
-          // By their work a step uphill is hardly to be taken at all, and the
-          // next one, from next to the same place, neither.
-          if (LineSearch::slope(equations.system, increment) > 0.)
-            return std::min(1., largest);
         }
 
       // What is prescribed is no unknown, and not damped.
