@@ -104,7 +104,12 @@ def draw_part_of_matrix(axes, x, case, whole, total, part, i):
 
 def plot_loading(directory, folder):
     columns = read_history(directory)
-    cases = load_cases(directory, columns) if columns else []
+    draw_loading(load_cases(directory, columns) if columns else [], folder)
+
+
+def draw_loading(cases, folder):
+    """Draw the curves of load cases, of one run or of several, side by side by
+    what they are."""
     bent = [case for case in cases if is_bent(case)]
     sheared = [case for case in cases if is_sheared(case)]
     pulled = [case for case in cases
