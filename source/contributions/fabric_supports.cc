@@ -451,6 +451,18 @@ namespace Heddle
 
 
 
+    bool
+    FabricSupports::hold_askew(const ArchiveReader &archive)
+    {
+      for (const std::string motion :
+           {"supports/shear angle", "supports/curvature"})
+        if (archive.has(motion) && archive.read_number(motion) != 0.)
+          return true;
+      return false;
+    }
+
+
+
     void
     FabricSupports::save(ArchiveWriter       &archive,
                          const System::State &state) const

@@ -208,11 +208,13 @@ namespace Heddle
 
 
     void
-    FiberElasticity::load_initial(const ArchiveReader &, const System::State &)
+    FiberElasticity::load_initial(const ArchiveReader &archive,
+                                  const System::State &state)
     {
       if (reference_was_set)
         reference = first_reference;
       reference_was_set = false;
+      load(archive, state);
     }
 
 

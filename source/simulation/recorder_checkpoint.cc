@@ -2,6 +2,7 @@
 #include <heddle/base/exceptions.h>
 #include <heddle/base/settings.h>
 #include <heddle/base/throw_together.h>
+#include <heddle/contributions/fabric_supports.h>
 #include <heddle/simulation/matrix.h>
 #include <heddle/simulation/recorder.h>
 
@@ -231,19 +232,32 @@ namespace Heddle
     std::string
     Recorder::read_initial_configuration(const std::string &file)
     {
-      const auto position = checkpoint.read(
-        file, scene.state(), [this](const ArchiveReader &archive) {
+      const std::string where =
+        "Restart/Initial configuration: \"" + file + "\" is of ";
+      const auto position =
+        checkpoint.read(file, scene.state(), [&](const ArchiveReader &archive) {
+          require(!Matrix::is_in(archive),
+                  where +
+                    "fibers in a matrix, whose tests begin in the initial "
+                    "configuration; name the file \"" +
+                    initial_configuration + "\" of its run.");
+          require(!Contributions::FabricSupports::hold_askew(archive),
+                  where + "a fabric that is sheared or bent; tests begin where "
+                          "warp and weft run along x and y.");
           for (const Stage &stage : scene.stages())
             if (stage.is_loaded())
               for (const auto &contribution : stage.contributions)
                 contribution->load_initial(archive, scene.state());
         });
-      const std::string needed = word(StageKind::settle);
-      require(
-        position.stage == needed && scene.state().load_factor == 1.,
-        "Restart/Initial configuration: \"" + file + "\" is of the stage \"" +
-          position.stage + "\", and not the end of the stage \"" + needed +
-          "\"; name the file \"" + initial_configuration + "\" of its run.");
+      const auto is_of = [&position](const StageKind kind) {
+        return position.stage == word(kind);
+      };
+      require(!is_of(StageKind::order) && !is_of(StageKind::approach) &&
+                (!is_of(StageKind::settle) || scene.state().load_factor == 1.),
+              where + "the stage \"" + position.stage +
+                "\" before its end, where fibers are still to settle; name the "
+                "file \"" +
+                initial_configuration + "\" of its run.");
       scene.state().step        = 0;
       scene.state().load_factor = 0.;
       return position.settings;

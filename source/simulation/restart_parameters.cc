@@ -13,6 +13,9 @@ namespace Heddle
                     "configuration of a fabric is taken instead of being "
                     "computed; ranks, friction, matrix and loads may be others "
                     "there. Its path begins where the program is started. "
+                    "A file of 'checkpoint' of a dry fabric under load will "
+                    "do as well, unless it is sheared or bent: forces go on "
+                    "from there, and strains count from there. "
                     "Of section 'Initial configuration' the last penetration "
                     "threshold alone has an effect then. Empty: compute it "
                     "[-].");

@@ -67,6 +67,10 @@ namespace Heddle
       void
       accept_step(const System::State &state) override;
 
+      /** Whether @p archive has a fabric that such supports shear or bend. */
+      static bool
+      hold_askew(const ArchiveReader &archive);
+
       /** Also what stiffnesses are differences to. */
       void
       save(ArchiveWriter &archive, const System::State &state) const override;

@@ -133,8 +133,9 @@ namespace Heddle
       write_checkpoint(const Place &place, const std::string &path = "");
 
       /**
-       * Go to the initial configuration that the parameters name: the state,
-       * penalties of contact and, if it has any, friction. Throws InputError
+       * Go to the initial configuration that the parameters name, or to a dry
+       * fabric under load: the state, penalties of contact and, if they are
+       * there, friction and strains of reference. Throws InputError
        * if it is none, or of other fibers or another weave. Tell @p log what
        * was set otherwise when it was computed.
        * @note Collective.
