@@ -12,10 +12,11 @@ import runs
 
 DPI = 80
 
-# Told apart by those who do not see colours, too (Okabe and Ito).
+# The first seven are told apart by those who do not see colours, too (Okabe and
+# Ito).
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
-          "#000000")
-MARKERS = "osD^vP*"
+          "#000000", "#8c564b", "#999999", "#7a3fc0")
+MARKERS = "osD^vP*X<>"
 
 plt.rcParams.update({"font.size": 9,
                      "axes.titlesize": 10,

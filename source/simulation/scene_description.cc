@@ -229,27 +229,62 @@ namespace Heddle
 
 
 
+      /** "12 s to 77 s". */
+      std::string
+      in_words(const SceneEstimate::Range &seconds)
+      {
+        return in_words(seconds.first) + " to " + in_words(seconds.second);
+      }
+
+
+
+      /** @p iterations of @p seconds each, in all of so many @p times. */
       void
-      print_estimate(Log                 &log,
-                     const SceneEstimate &estimate,
-                     const Scene         &scene,
-                     const Parameters    &parameters)
+      print_iterations(Log                        &log,
+                       const SceneEstimate::Range &iterations,
+                       const SceneEstimate::Range &times,
+                       const double                seconds)
+      {
+        log << std::defaultfloat << std::setprecision(6) << iterations.first
+            << " to " << iterations.second << " iterations of about "
+            << in_words(seconds) << ", "
+            << in_words(SceneEstimate::Range(
+                 iterations.first * times.first * seconds,
+                 iterations.second * times.second * seconds))
+            << '\n';
+      }
+
+
+
+      void
+      print_estimate(Log &log, const SceneEstimate &estimate)
       {
         log << "\nLinear solver  "
             << (estimate.is_factorized ? "direct" : "fiber blocks")
             << "\nMemory         about " << std::fixed << std::setprecision(0)
-            << std::ceil(estimate.memory / 1e6) << " MB"
-            << "\nTime           about " << in_words(estimate.seconds)
-            << " for a Newton iteration; ";
-        const auto [few, many] = estimate.iterations_to_settle;
-        if (settles(scene, parameters))
-          log << "an initial configuration takes " << few << " to " << many
-              << ", " << in_words(few * estimate.seconds_to_settle) << " to "
-              << in_words(many * estimate.seconds_to_settle) << ", ";
-        log << "a load step "
-            << (scene.is_fabric() && !parameters.plates.are_there() ? "3 to 20"
-                                                                    : "3 to 60")
-            << std::endl;
+            << std::ceil(estimate.memory / 1e6) << " MB\n";
+        if (estimate.iterations_to_settle.second > 0.)
+          {
+            log << "Settling       ";
+            print_iterations(log,
+                             estimate.iterations_to_settle,
+                             {1., 1.},
+                             estimate.seconds_to_settle);
+          }
+        const auto [few, many] = estimate.load_steps;
+        if (many > 0.)
+          {
+            log << "Load steps     " << few;
+            if (few < many)
+              log << " to " << many;
+            log << (many > 1. ? ", each " : ", ");
+            print_iterations(log,
+                             estimate.iterations_of_step,
+                             estimate.load_steps,
+                             estimate.seconds);
+          }
+        log << "Time           about " << in_words(estimate.total())
+            << " in all" << std::endl;
       }
     } // namespace
 
@@ -278,7 +313,7 @@ namespace Heddle
           return;
         }
       print_contributions(log, scene, parameters);
-      print_estimate(log, estimate, scene, parameters);
+      print_estimate(log, estimate);
     }
   } // namespace Simulation
 } // namespace Heddle

@@ -1,4 +1,5 @@
 #include <heddle/simulation/scene_estimate.h>
+#include <heddle/solver/load_stepping.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -47,14 +48,27 @@ namespace Heddle
 
 
 
-      /** Measured with 6 000 to 380 000 unknowns on one rank, and met to a
-       * quarter. */
+      /**
+       * By a machine of doc/benchmarks.md that others there are twice as fast
+       * as. With conjugate gradients as many seconds for each unknown, in a
+       * factorization more, where contacts fill it: 0.1, 0.9 and 22 s with
+       * 6 000, 32 000 and 96 000 unknowns.
+       */
       double
       seconds_of_iteration(const Scene &scene,
                            const bool   is_factorized,
-                           const double n_dofs)
+                           const bool   under_load,
+                           const double n_matrix_dofs)
       {
-        return (is_factorized ? 16e-6 : 4e-6) * n_dofs /
+        const double n_dofs = scene.space().n_dofs();
+        const double n      = n_dofs + n_matrix_dofs;
+        const double fill   = n / 30e3;
+        const double of_fibers =
+          under_load && scene.friction() != nullptr ? 9e-6 : 6e-6;
+        const double work =
+          is_factorized ? 16e-6 * n * (scene.contact() ? 1. + fill * fill : 1.)
+                        : of_fibers * n_dofs + 15e-6 * n_matrix_dofs;
+        return work /
                Utilities::MPI::n_mpi_processes(scene.space().communicator());
       }
 
@@ -62,23 +76,54 @@ namespace Heddle
 
       /** As benchmarks.md has them ("Size", "The paper's fabrics"): friction
        * holds fibers that would go on from neighbour to neighbour. */
-      std::pair<unsigned int, unsigned int>
+      SceneEstimate::Range
       iterations_of_settling(const Scene &scene, const Parameters &parameters)
       {
-        constexpr unsigned int                many_fibers = 500;
-        std::pair<unsigned int, unsigned int> result(40, 300);
+        if (!scene.is_fabric() ||
+            !parameters.restart.initial_configuration.empty())
+          return {};
+        constexpr unsigned int many_fibers = 500;
+        SceneEstimate::Range   result(40., 300.);
         if (scene.friction() && parameters.settle.friction)
           result = scene.space().n_fibers() > many_fibers
-                     ? std::make_pair(80u, 300u)
-                     : std::make_pair(30u, 200u);
+                     ? SceneEstimate::Range(80., 300.)
+                     : SceneEstimate::Range(30., 200.);
         if (scene.weave() && parameters.weave.description().start ==
                                Textile::Start::interpenetrating)
           {
-            const unsigned int ordering =
+            const double ordering =
               parameters.ordering.n_steps * parameters.ordering.iterations;
             result.first += ordering;
             result.second += ordering;
           }
+        return result;
+      }
+
+
+
+      /** Steps of a plan of which so many iterations are taken each. */
+      double
+      count_steps(const Solver::LoadPlan &plan, const unsigned int iterations)
+      {
+        unsigned int n = 0;
+        for (Solver::LoadStepping steps(plan); !steps.finished(); ++n)
+          steps.accept(iterations);
+        return n;
+      }
+
+
+
+      SceneEstimate::Range
+      count_load_steps(const Scene &scene)
+      {
+        SceneEstimate::Range result(0., 0.);
+        for (const Stage &stage : scene.stages())
+          if (stage.is_loaded())
+            {
+              const unsigned int easy = stage.plan.easy_iterations;
+              result.first += count_steps(stage.plan, easy);
+              result.second += count_steps(stage.plan, easy + 1);
+            }
         return result;
       }
     } // namespace
@@ -99,15 +144,33 @@ namespace Heddle
                                 matrix.n_nodes,
                                 parameters.matrix.degree))
     {
-      const double n_dofs = scene.space().n_dofs();
-      seconds             = seconds_of_iteration(
-        scene, is_factorized, n_dofs + 3. * matrix.n_nodes);
+      seconds           = seconds_of_iteration(scene,
+                                     is_factorized,
+                                     /*under_load=*/true,
+                                     3. * matrix.n_nodes);
       seconds_to_settle = seconds_of_iteration(
         scene,
-        parameters.linear_solver.direct(
-          scene.space().n_dofs(), /*with_contact=*/true, /*with_matrix=*/false),
-        n_dofs);
+        parameters.linear_solver.direct(scene.space().n_dofs(),
+                                        /*with_contact=*/true,
+                                        /*with_matrix=*/false),
+        /*under_load=*/false,
+        /*n_matrix_dofs=*/0.);
       iterations_to_settle = iterations_of_settling(scene, parameters);
+      load_steps           = count_load_steps(scene);
+      iterations_of_step   = scene.is_fabric() && !parameters.plates.are_there()
+                               ? Range(4., 16.)
+                               : Range(3., 60.);
+    }
+
+
+
+    SceneEstimate::Range
+    SceneEstimate::total() const
+    {
+      return {iterations_to_settle.first * seconds_to_settle +
+                load_steps.first * iterations_of_step.first * seconds,
+              iterations_to_settle.second * seconds_to_settle +
+                load_steps.second * iterations_of_step.second * seconds};
     }
   } // namespace Simulation
 } // namespace Heddle

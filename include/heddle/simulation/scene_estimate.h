@@ -24,14 +24,27 @@ namespace Heddle
       /** What the solver will need over all ranks [bytes]. */
       double memory;
 
-      /** The time of one Newton iteration of fibers in contact [s]. */
+      /** From few to many. */
+      using Range = std::pair<double, double>;
+
+      /** The time of a Newton iteration under load [s]. */
       double seconds;
 
       /** Of one while a fabric settles, without a matrix [s]. */
       double seconds_to_settle;
 
-      /** Of an initial configuration, from few to many, if there is one. */
-      std::pair<unsigned int, unsigned int> iterations_to_settle;
+      /** Of an initial configuration; none if it is not to be computed. */
+      Range iterations_to_settle;
+
+      /** Of all load cases, if none has to be cut. */
+      Range load_steps;
+
+      /** Of one of them, in the mean. */
+      Range iterations_of_step;
+
+      /** The time of all of it [s]. */
+      Range
+      total() const;
     };
   } // namespace Simulation
 } // namespace Heddle
