@@ -1,0 +1,164 @@
+"""The tests of a ply, and the constants that follow from them."""
+
+import csv
+import json
+import os
+
+TESTS = ("warp", "weft", "shear")
+
+# Fibers and ends that lie on each side, and the side of the matrix.
+SIDES = (("warp", "first end", "x-"), ("warp", "last end", "x+"),
+         ("weft", "first end", "y-"), ("weft", "last end", "y+"))
+
+
+class PlyError(Exception):
+    """Something that the user can set right."""
+
+
+def read_parameters(path):
+    """Return {"Section/Name": value} of a parameter file."""
+    values, sections = {}, []
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            words = line.split("#")[0].split(None, 1)
+            if not words:
+                continue
+            if words[0] == "subsection":
+                sections.append(words[1].strip())
+            elif words[0] == "end":
+                sections.pop()
+            elif words[0] == "set":
+                name, _, value = words[1].partition("=")
+                values["/".join(sections + [name.strip()])] = value.strip()
+    return values
+
+
+def read_json(folder, name):
+    with open(os.path.join(folder, name), encoding="utf-8") as file:
+        return json.load(file)
+
+
+class Ply:
+    """A settled weave and the block of matrix around it."""
+
+    def __init__(self, settled, thickness):
+        self.settled = settled
+        self.parameters = read_parameters(
+            os.path.join(settled, "parameters.prm"))
+        fibers = {}
+        with open(os.path.join(settled, "centerlines.csv"), newline="",
+                  encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                fibers.setdefault(row["fiber"], []).append(
+                    (row["set"], float(row["radius"]),
+                     [float(row[name]) for name in "xyz"]))
+        results = read_json(settled, "summary.json")["results"]
+        self.lower, self.upper = [0.] * 3, [0.] * 3
+        for i, across in enumerate(("weft", "warp")):
+            half = 0.5 * self.n_yarns(across) * results[f"{across}_spacing[mm]"]
+            places = [point[i] for points in fibers.values()
+                      for kind, _, point in points if kind == across]
+            middle = sum(places) / len(places)
+            self.lower[i], self.upper[i] = middle - half, middle + half
+        low, high = (turn(point[2] + sign * radius
+                          for points in fibers.values()
+                          for _, radius, point in points)
+                     for turn, sign in ((min, -1.), (max, 1.)))
+        if thickness is None:
+            thickness = high - low + 2. * float(
+                self.parameters["Matrix/Coating thickness"])
+        elif thickness < high - low:
+            raise PlyError(f"--thickness {thickness:g} is less than that of "
+                           f"the fibers, {high - low:.4g} mm; take more.")
+        self.lower[2] = 0.5 * (low + high - thickness)
+        self.upper[2] = self.lower[2] + thickness
+
+    def n_yarns(self, kind):
+        """Return how many yarns of a set there are; two have a distance."""
+        same = self.parameters["Weave/Weft yarns/Same as warp yarns"] == "true"
+        which = "Warp" if same else kind.capitalize()
+        number = int(self.parameters[f"Weave/{which} yarns/Number of yarns"])
+        if number < 2:
+            raise PlyError(f"the scene has {number} yarn in its {kind}; a ply "
+                           "needs at least 2 in each direction.")
+        return number
+
+    def extent(self, i):
+        return self.upper[i] - self.lower[i]
+
+    def settings(self, test, strain, free):
+        """Return the settings of a test, begun free of stress or not."""
+        motion = {
+            "warp": (f"{strain!r}*t*x", "0"),
+            "weft": ("0", f"{strain!r}*t*y"),
+            "shear": (f"{0.5 * strain!r}*t*y", f"{0.5 * strain!r}*t*x")}[test]
+        settings = [
+            f"Restart/Initial configuration={self.settled}",
+            f"Restart/Stress free={str(free).lower()}",
+            "Weave/End length=0.5", "Fabric loading/Kind=none",
+            "Matrix/Enabled=true", "Matrix/Shape=block",
+            "Matrix/Leave out cells inside yarns=false",
+            "Load stepping/Initial step=1", "Load stepping/Largest step=1"]
+        for name, corner in (("Lower", self.lower), ("Upper", self.upper)):
+            settings.append(f"Matrix/{name} corner=" + ", ".join(
+                repr(value) for value in corner))
+        for i, (fibers, nodes, side) in enumerate(SIDES, 1):
+            # What is pulled along one direction may slide along the other,
+            # sheared it may not.
+            moved = {name: formula for name, formula in zip("xy", motion)
+                     if test == "shear" or name == side[0]}
+            for number, chosen in (
+                    (i, {"Fibers": fibers, "Nodes": nodes,
+                         "Displacement z": "0"}),
+                    (i + 4, {"Fibers": "none", "Matrix sides": side})):
+                for name, formula in moved.items():
+                    chosen[f"Displacement {name}"] = formula
+                settings += [f"Supports/Support {number}/{name}={value}"
+                             for name, value in chosen.items()]
+        return settings
+
+
+def change(folder, column):
+    """Return by how much a column of history.csv changed under the load."""
+    with open(os.path.join(folder, "history.csv"), newline="",
+              encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    before, after = (float(row[column]) for row in (rows[0], rows[-1]))
+    return after - before
+
+
+def force(folder, i):
+    """Return the mean force that pulls the two sides along x or y apart [N]."""
+    axis = "xy"[i]
+    low, high = (sum(change(folder, f"support_{number}_force_{axis}[N]")
+                     for number in (side, side + 4))
+                 for side in (2 * i + 1, 2 * i + 2))
+    return 0.5 * (high - low)
+
+
+def constants(ply, strain, folders):
+    """Return the constants of a ply by the folders of its tests."""
+    length, width, thickness = (ply.extent(i) for i in range(3))
+    sections = (width, length)
+    stiffness = [[force(folders[test], i) / sections[i] / strain
+                  for test in ("warp", "weft")] for i in range(2)]
+    (a_11, a_12), (a_21, a_22) = stiffness
+    of_shear = (2. * change(folders["shear"], "external_work[N*mm]") /
+                (strain ** 2 * length * width))
+    determinant = a_11 * a_22 - a_12 * a_21
+    return {"E_1 [MPa]": determinant / (a_22 * thickness),
+            "E_2 [MPa]": determinant / (a_11 * thickness),
+            "nu_12 [-]": a_21 / a_22,
+            "nu_21 [-]": a_12 / a_11,
+            "G_12 [MPa]": of_shear / thickness,
+            "thickness [mm]": thickness,
+            "length [mm]": length,
+            "width [mm]": width,
+            # No cell is left out: what is doubled is all of the fibers.
+            "fiber_volume_fraction [-]":
+                read_json(folders["warp"], "summary.json")["doubled_part"],
+            "A_11 [N/mm]": a_11,
+            "A_12 [N/mm]": a_12,
+            "A_21 [N/mm]": a_21,
+            "A_22 [N/mm]": a_22,
+            "A_66 [N/mm]": of_shear}
