@@ -1,6 +1,7 @@
 """The tests of a ply, and the constants that follow from them."""
 
 import csv
+import glob
 import json
 import os
 
@@ -43,16 +44,26 @@ class Ply:
 
     def __init__(self, settled, thickness):
         self.settled = settled
-        self.parameters = read_parameters(
-            os.path.join(settled, "parameters.prm"))
+        try:
+            self.parameters = read_parameters(
+                os.path.join(settled, "parameters.prm"))
+            self.measure(thickness)
+        except FileNotFoundError as error:
+            raise PlyError(f"there is no file '{error.filename}', which a run "
+                           "that has settled leaves.") from None
+
+    def measure(self, thickness):
+        """Find the corners of the block, by the yarns and their distances."""
+        if self.parameters["Run/Scene"] != "weave":
+            raise PlyError("the scene is none of section Weave.")
         fibers = {}
-        with open(os.path.join(settled, "centerlines.csv"), newline="",
+        with open(os.path.join(self.settled, "centerlines.csv"), newline="",
                   encoding="utf-8") as file:
             for row in csv.DictReader(file):
                 fibers.setdefault(row["fiber"], []).append(
                     (row["set"], float(row["radius"]),
                      [float(row[name]) for name in "xyz"]))
-        results = read_json(settled, "summary.json")["results"]
+        results = read_json(self.settled, "summary.json")["results"]
         self.lower, self.upper = [0.] * 3, [0.] * 3
         for i, across in enumerate(("weft", "warp")):
             half = 0.5 * self.n_yarns(across) * results[f"{across}_spacing[mm]"]
@@ -60,10 +71,13 @@ class Ply:
                       for kind, _, point in points if kind == across]
             middle = sum(places) / len(places)
             self.lower[i], self.upper[i] = middle - half, middle + half
-        low, high = (turn(point[2] + sign * radius
-                          for points in fibers.values()
-                          for _, radius, point in points)
-                     for turn, sign in ((min, -1.), (max, 1.)))
+        # Ends beyond the block stand higher.
+        within = [(radius, point) for points in fibers.values()
+                  for _, radius, point in points
+                  if all(self.lower[i] <= point[i] <= self.upper[i]
+                         for i in range(2))]
+        low = min(point[2] - radius for radius, point in within)
+        high = max(point[2] + radius for radius, point in within)
         if thickness is None:
             thickness = high - low + 2. * float(
                 self.parameters["Matrix/Coating thickness"])
@@ -72,6 +86,15 @@ class Ply:
                            f"the fibers, {high - low:.4g} mm; take more.")
         self.lower[2] = 0.5 * (low + high - thickness)
         self.upper[2] = self.lower[2] + thickness
+
+    def beginning(self):
+        """Return the folder of the initial configuration, or the file of the last
+        step if the fabric was loaded."""
+        steps = sorted(glob.glob(os.path.join(self.settled, "checkpoint",
+                                              "step-*.h5")))
+        stages = read_json(self.settled, "summary.json")["stages"]
+        is_loaded = stages[-1]["name"] not in ("order", "approach", "settle")
+        return steps[-1] if is_loaded and steps else self.settled
 
     def n_yarns(self, kind):
         """Return how many yarns of a set there are; two have a distance."""
@@ -93,9 +116,10 @@ class Ply:
             "weft": ("0", f"{strain!r}*t*y"),
             "shear": (f"{0.5 * strain!r}*t*y", f"{0.5 * strain!r}*t*x")}[test]
         settings = [
-            f"Restart/Initial configuration={self.settled}",
+            f"Restart/Initial configuration={self.beginning()}",
             f"Restart/Stress free={str(free).lower()}",
-            "Weave/End length=0.5", "Fabric loading/Kind=none",
+            f"Weave/End length={self.parameters['Weave/End length']}",
+            "Fabric loading/Kind=none", "Plates/Compression=0",
             "Matrix/Enabled=true", "Matrix/Shape=block",
             "Matrix/Leave out cells inside yarns=false",
             "Load stepping/Initial step=1", "Load stepping/Largest step=1"]
