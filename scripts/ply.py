@@ -5,7 +5,8 @@ import glob
 import json
 import os
 
-TESTS = ("warp", "weft", "shear")
+# Work of the stress that was there before is the same for and back.
+TESTS = ("warp", "weft", "shear", "shear_back")
 
 # Fibers and ends that lie on each side, and the side of the matrix.
 SIDES = (("warp", "first end", "x-"), ("warp", "last end", "x+"),
@@ -16,22 +17,34 @@ class PlyError(Exception):
     """Something that the user can set right."""
 
 
-def read_parameters(path):
+def parse_parameters(text):
     """Return {"Section/Name": value} of a parameter file."""
     values, sections = {}, []
-    with open(path, encoding="utf-8") as file:
-        for line in file:
-            words = line.split("#")[0].split(None, 1)
-            if not words:
-                continue
-            if words[0] == "subsection":
-                sections.append(words[1].strip())
-            elif words[0] == "end":
-                sections.pop()
-            elif words[0] == "set":
-                name, _, value = words[1].partition("=")
-                values["/".join(sections + [name.strip()])] = value.strip()
+    for line in text.splitlines():
+        words = line.split("#")[0].split(None, 1)
+        if not words:
+            continue
+        if words[0] == "subsection":
+            sections.append(words[1].strip())
+        elif words[0] == "end":
+            sections.pop()
+        elif words[0] == "set":
+            name, _, value = words[1].partition("=")
+            values["/".join(sections + [name.strip()])] = value.strip()
     return values
+
+
+def check(parameters, free):
+    """Throw PlyError unless these are of a scene of which tests can be made."""
+    if parameters["Run/Scene"] != "weave":
+        raise PlyError("the scene is none of section Weave.")
+    for section in ("Supports", "Loads"):
+        if any(name.startswith(section + "/") for name in parameters):
+            raise PlyError(f"the scene has a section {section} of its own, and "
+                           "tests of a ply have theirs: leave it out.")
+    if free and parameters["Fiber/Element"] == "hermite":
+        raise PlyError("with Fiber/Element = hermite a fabric cannot begin free "
+                       "of stress: give --keep-stress, or choose 'director'.")
 
 
 def read_json(folder, name):
@@ -42,11 +55,15 @@ def read_json(folder, name):
 class Ply:
     """A settled weave and the block of matrix around it."""
 
-    def __init__(self, settled, thickness):
+    def __init__(self, parameters, settled, thickness):
+        self.parameters = parameters
         self.settled = settled
         try:
-            self.parameters = read_parameters(
-                os.path.join(settled, "parameters.prm"))
+            with open(os.path.join(settled, "parameters.prm"),
+                      encoding="utf-8") as file:
+                self.end_length = parse_parameters(
+                    file.read())["Weave/End length"]
+            self.summary = read_json(settled, "summary.json")
             self.measure(thickness)
         except FileNotFoundError as error:
             raise PlyError(f"there is no file '{error.filename}', which a run "
@@ -54,8 +71,9 @@ class Ply:
 
     def measure(self, thickness):
         """Find the corners of the block, by the yarns and their distances."""
-        if self.parameters["Run/Scene"] != "weave":
-            raise PlyError("the scene is none of section Weave.")
+        if self.summary["status"] != "converged":
+            raise PlyError(f"the run in '{self.settled}' has not come to its "
+                           "end.")
         fibers = {}
         with open(os.path.join(self.settled, "centerlines.csv"), newline="",
                   encoding="utf-8") as file:
@@ -63,7 +81,7 @@ class Ply:
                 fibers.setdefault(row["fiber"], []).append(
                     (row["set"], float(row["radius"]),
                      [float(row[name]) for name in "xyz"]))
-        results = read_json(self.settled, "summary.json")["results"]
+        results = self.summary["results"]
         self.lower, self.upper = [0.] * 3, [0.] * 3
         for i, across in enumerate(("weft", "warp")):
             half = 0.5 * self.n_yarns(across) * results[f"{across}_spacing[mm]"]
@@ -71,6 +89,7 @@ class Ply:
                       for kind, _, point in points if kind == across]
             middle = sum(places) / len(places)
             self.lower[i], self.upper[i] = middle - half, middle + half
+            self.note_ends(i, fibers, half / self.n_yarns(across))
         # Ends beyond the block stand higher.
         within = [(radius, point) for points in fibers.values()
                   for _, radius, point in points
@@ -87,14 +106,29 @@ class Ply:
         self.lower[2] = 0.5 * (low + high - thickness)
         self.upper[2] = self.lower[2] + thickness
 
+    def note_ends(self, i, fibers, half_spacing):
+        """Say if fibers of a set end far within the block."""
+        kind = ("warp", "weft")[i]
+        lengths = [abs(points[-1][2][i] - points[0][2][i])
+                   for points in fibers.values() if points[0][0] == kind]
+        within = 0.5 * (self.extent(i) - sum(lengths) / len(lengths))
+        if within > 0.1 * half_spacing:
+            print(f"Note: yarns have spread as they settled, and the {kind} ends "
+                  f"{within:.3g} mm within the block: what is beyond is matrix "
+                  "alone; more yarns make less of it.")
+
     def beginning(self):
         """Return the folder of the initial configuration, or the file of the last
         step if the fabric was loaded."""
+        if self.summary["stages"][-1]["name"] in ("order", "approach",
+                                                  "settle"):
+            return self.settled
         steps = sorted(glob.glob(os.path.join(self.settled, "checkpoint",
                                               "step-*.h5")))
-        stages = read_json(self.settled, "summary.json")["stages"]
-        is_loaded = stages[-1]["name"] not in ("order", "approach", "settle")
-        return steps[-1] if is_loaded and steps else self.settled
+        if not steps:
+            raise PlyError(f"the run in '{self.settled}' has left no checkpoint "
+                           "of its last step (Output/Checkpoint interval).")
+        return steps[-1]
 
     def n_yarns(self, kind):
         """Return how many yarns of a set there are; two have a distance."""
@@ -114,11 +148,13 @@ class Ply:
         motion = {
             "warp": (f"{strain!r}*t*x", "0"),
             "weft": ("0", f"{strain!r}*t*y"),
-            "shear": (f"{0.5 * strain!r}*t*y", f"{0.5 * strain!r}*t*x")}[test]
+            "shear": (f"{0.5 * strain!r}*t*y", f"{0.5 * strain!r}*t*x"),
+            "shear_back": (f"{-0.5 * strain!r}*t*y",
+                           f"{-0.5 * strain!r}*t*x")}[test]
         settings = [
             f"Restart/Initial configuration={self.beginning()}",
             f"Restart/Stress free={str(free).lower()}",
-            f"Weave/End length={self.parameters['Weave/End length']}",
+            f"Weave/End length={self.end_length}",
             "Fabric loading/Kind=none", "Plates/Compression=0",
             "Matrix/Enabled=true", "Matrix/Shape=block",
             "Matrix/Leave out cells inside yarns=false",
@@ -130,7 +166,7 @@ class Ply:
             # What is pulled along one direction may slide along the other,
             # sheared it may not.
             moved = {name: formula for name, formula in zip("xy", motion)
-                     if test == "shear" or name == side[0]}
+                     if test.startswith("shear") or name == side[0]}
             for number, chosen in (
                     (i, {"Fibers": fibers, "Nodes": nodes,
                          "Displacement z": "0"}),
@@ -167,7 +203,8 @@ def constants(ply, strain, folders):
     stiffness = [[force(folders[test], i) / sections[i] / strain
                   for test in ("warp", "weft")] for i in range(2)]
     (a_11, a_12), (a_21, a_22) = stiffness
-    of_shear = (2. * change(folders["shear"], "external_work[N*mm]") /
+    of_shear = (sum(change(folders[test], "external_work[N*mm]")
+                    for test in ("shear", "shear_back")) /
                 (strain ** 2 * length * width))
     determinant = a_11 * a_22 - a_12 * a_21
     return {"E_1 [MPa]": determinant / (a_22 * thickness),

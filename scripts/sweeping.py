@@ -6,6 +6,7 @@ import hashlib
 import itertools
 import json
 import os
+import socket
 
 # Columns that are printed where they are not zero everywhere.
 SHOWN = ("thickness", "warp_crimp", "weft_crimp", "fiber_volume_fraction",
@@ -21,8 +22,26 @@ class SweepError(Exception):
     """Something that the user can set right."""
 
 
+def rounded(text):
+    """Return a number with five digits, or a word."""
+    try:
+        return f"{float(text):.5g}"
+    except (TypeError, ValueError):
+        return text or "-"
+
+
 def in_seconds(time):
     return "" if time is None else f"{time:.2f}"
+
+
+def shortest(name, names):
+    """Return the end of a path that tells it from others."""
+    parts = name.split("/")
+    for first in reversed(range(len(parts))):
+        short = "/".join(parts[first:])
+        if sum(f"/{other}".endswith(f"/{short}") for other in names) == 1:
+            return short
+    return name
 
 
 class Variation:
@@ -48,7 +67,7 @@ class Case:
         self.values = values
         self.settings = common + [f"{variation.name}={value}" for
                                   variation, value in zip(variations, values)]
-        self.short = [f"{variation.name.rsplit('/', 1)[1]} = {value}"
+        self.short = [f"{variation.short} = {value}"
                       for variation, value in zip(variations, values)]
 
     def in_words(self):
@@ -121,6 +140,8 @@ class Sweep:
         names = [variation.name for variation in self.variations]
         if len(set(names)) < len(names):
             raise SweepError("a parameter is varied twice.")
+        for variation in self.variations:
+            variation.short = shortest(variation.name, names)
         self.cases = [
             Case(number, folder, self.variations, values, common)
             for number, values in enumerate(itertools.product(
@@ -148,18 +169,28 @@ class Sweep:
     def begin(self):
         """Take the folder, unless another sweep has it."""
         path = os.path.join(self.folder, "sweep.json")
-        if os.path.exists(path):
-            with open(path, encoding="utf-8") as file:
-                if json.load(file) != self.record:
-                    raise SweepError(
-                        f"'{self.folder}' holds a sweep of another scene, or "
-                        "of other values: give another folder by -o, or "
-                        "remove that one.")
-            return
-        os.makedirs(self.folder, exist_ok=True)
-        with open(path + ".part", "w", encoding="utf-8") as file:
-            json.dump(self.record, file, indent=2)
-        os.replace(path + ".part", path)
+        if not os.path.exists(path):
+            os.makedirs(self.folder, exist_ok=True)
+            # Jobs of an array may begin at the same time: the first one counts.
+            beside = self.beside(path)
+            with open(beside, "w", encoding="utf-8") as file:
+                json.dump(self.record, file, indent=2)
+            try:
+                os.link(beside, path)
+            except FileExistsError:
+                pass
+            os.remove(beside)
+        with open(path, encoding="utf-8") as file:
+            if json.load(file) != self.record:
+                raise SweepError(
+                    f"'{self.folder}' holds a sweep of another scene, or of "
+                    "other values: give another folder by -o, or remove that "
+                    "one.")
+
+    @staticmethod
+    def beside(path):
+        """Return a name that no other job has."""
+        return f"{path}.{socket.gethostname()}.{os.getpid()}.part"
 
     def rows(self):
         """Return the case and {column: text} of each stage of all cases."""
@@ -171,8 +202,7 @@ class Sweep:
         columns = list(dict.fromkeys(
             name for _, row in rows for name in row))
         path = os.path.join(self.folder, "sweep.csv")
-        # Jobs of an array may write at the same time.
-        beside = f"{path}.{os.getpid()}.part"
+        beside = self.beside(path)
         with open(beside, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(["case[-]"] + [variation.name for variation
@@ -197,14 +227,13 @@ class Sweep:
                    if name in by_short and
                    (wanted or any(float(row.get(by_short[name]) or 0.) != 0.
                                   for _, row in rows))]
-        lines = [["case"] + [variation.name.rsplit("/", 1)[1]
+        lines = [["case"] + [variation.short
                              for variation in self.variations] +
                  ["stage", "status", "time[s]"] + columns]
         for case, row in rows:
             lines.append([str(case.number), *case.values, row["stage"],
                           row["status"], row["time[s]"] or "-"] +
-                         [f"{float(row[name]):.5g}" if row.get(name) else "-"
-                          for name in columns])
+                         [rounded(row.get(name)) for name in columns])
         widths = [max(map(len, column)) for column in zip(*lines)]
         for line in lines:
             print("  ".join(text.ljust(width) for text, width

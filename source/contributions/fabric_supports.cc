@@ -456,7 +456,8 @@ namespace Heddle
     {
       for (const std::string motion :
            {"supports/shear angle", "supports/curvature"})
-        if (archive.has(motion) && archive.read_number(motion) != 0.)
+        if (archive.has(motion) &&
+            std::abs(archive.read_number(motion)) > same_strain)
           return true;
       return false;
     }
