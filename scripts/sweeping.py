@@ -180,12 +180,20 @@ class Sweep:
             except FileExistsError:
                 pass
             os.remove(beside)
-        with open(path, encoding="utf-8") as file:
-            if json.load(file) != self.record:
-                raise SweepError(
-                    f"'{self.folder}' holds a sweep of another scene, or of "
-                    "other values: give another folder by -o, or remove that "
-                    "one.")
+        self.check_folder()
+
+    def check_folder(self):
+        """Throw SweepError unless the folder holds this sweep."""
+        try:
+            with open(os.path.join(self.folder, "sweep.json"),
+                      encoding="utf-8") as file:
+                same = json.load(file) == self.record
+        except FileNotFoundError:
+            raise SweepError(f"'{self.folder}' holds no sweep.") from None
+        if not same:
+            raise SweepError(
+                f"'{self.folder}' holds a sweep of another scene, or of other "
+                "values: give another folder by -o, or remove that one.")
 
     @staticmethod
     def beside(path):
