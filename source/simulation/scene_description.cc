@@ -116,18 +116,11 @@ namespace Heddle
 
 
 
-      /** Whether an initial configuration is yet to be computed. */
-      bool
-      settles(const Scene &scene, const Parameters &parameters)
-      {
-        return scene.is_fabric() &&
-               parameters.restart.initial_configuration.empty();
-      }
-
-
-
       void
-      print_fibers(Log &log, const Scene &scene, const Parameters &parameters)
+      print_fibers(Log              &log,
+                   const Scene      &scene,
+                   const Parameters &parameters,
+                   const bool        settles)
       {
         const System::FiberSpace &space = scene.space();
         log << "Fibers         " << space.n_fibers();
@@ -136,7 +129,7 @@ namespace Heddle
         log << '\n' << materials_in_words(space, parameters.fiber);
         if (scene.weave())
           print_weights(log, *scene.weave(), parameters.weave.description());
-        if (settles(scene, parameters))
+        if (settles)
           log << "Tension        "
               << tension_in_words(space,
                                   [&parameters](const std::string &set) {
@@ -263,7 +256,7 @@ namespace Heddle
             << (estimate.is_factorized ? "direct" : "fiber blocks")
             << "\nMemory         about " << std::fixed << std::setprecision(0)
             << std::ceil(estimate.memory / 1e6) << " MB\n";
-        if (estimate.iterations_to_settle.second > 0.)
+        if (estimate.settles())
           {
             log << "Settling       ";
             print_iterations(log,
@@ -299,7 +292,7 @@ namespace Heddle
       // Only a fabric is elsewhere when its fibers are embedded.
       require(estimate.matrix.objection.empty() || scene.is_fabric(),
               estimate.matrix.objection);
-      print_fibers(log, scene, parameters);
+      print_fibers(log, scene, parameters, estimate.settles());
       if (parameters.matrix.enabled)
         print_matrix(log, estimate.matrix);
       for (const std::string &note : notes_on_fibers(scene, parameters))

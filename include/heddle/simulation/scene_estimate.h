@@ -42,6 +42,13 @@ namespace Heddle
       /** Of one of them, in the mean. */
       Range iterations_of_step;
 
+      /** Whether an initial configuration is yet to be computed. */
+      bool
+      settles() const
+      {
+        return iterations_to_settle.second > 0.;
+      }
+
       /** The time of all of it [s]. */
       Range
       total() const;

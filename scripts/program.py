@@ -1,0 +1,21 @@
+"""The program that scripts start, and how."""
+
+import os
+import subprocess
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+LAUNCH = os.path.join(ROOT, "scripts", "launch")
+
+
+def built():
+    """Return the path of heddle, built if necessary."""
+    for script, *arguments in (["setup"], ["build", "Release"]):
+        subprocess.run([os.path.join(ROOT, "scripts", script), *arguments],
+                       check=True)
+    return os.path.join(ROOT, "build", "heddle")
+
+
+def default_folder(kind, scene):
+    """Return where results of a kind of a scene go unless it is said."""
+    name = os.path.splitext(os.path.basename(scene))[0]
+    return os.path.join(ROOT, "output", f"{kind}-{name}")
