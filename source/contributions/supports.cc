@@ -90,7 +90,7 @@ namespace Heddle
                 support->displacement[d],
                 support->entry(std::string("Displacement ") + "xyz"[d]));
           if (support->section == SupportedSection::turned ||
-              support->yarns_are_bodies)
+              support->yarns_are_bodies || support->slides_along)
             {
               motion.angle = std::make_unique<Expression>(
                 support->angle, support->entry("Turn angle"));

@@ -87,6 +87,17 @@ namespace Heddle
                     "shear' [degrees].",
                     prm,
                     Patterns::List(Patterns::Double(), 1));
+      add_choice(*this,
+                 "Yarn ends",
+                 yarn_ends,
+                 "What the ends of fibers do in a matrix that is sheared. "
+                 "'embedded': along their yarn they move as the sides do, and "
+                 "across it, in the plane, as the matrix lets them, which is "
+                 "sheared evenly so; 'gripped': the ends of each "
+                 "yarn turn with its direction as one body, as those of a dry "
+                 "fabric do, and drag their fibers through a matrix that does "
+                 "not only turn. Inactive unless 'Kind' is 'picture frame' or "
+                 "'simple shear', and without a matrix [-].");
       add_parameter("Curvature",
                     curvature,
                     "To which the fabric is bent where the ramp is 1, upwards "
@@ -331,8 +342,11 @@ namespace Heddle
                 if (sides == FreeSides::free)
                   support->displacement[along] = "free";
               }
-            support->yarns_are_bodies = is_shear() || bends();
-            support->angle            = angles[along];
+            support->angle = angles[along];
+            if (is_shear() && matrix && yarn_ends == YarnEnds::embedded)
+              support->slides_along = 1 - along;
+            else
+              support->yarns_are_bodies = is_shear() || bends();
             if (bends())
               bend(family == direction,
                    upper && grip == Grip::one_side && !matrix,

@@ -95,6 +95,29 @@ namespace Heddle
 
 
 
+    /** What the ends of yarns do where a matrix is sheared. */
+    enum class YarnEnds
+    {
+      embedded, /**< across the yarn they go with the matrix */
+      gripped   /**< those of a yarn turn as one body */
+    };
+
+    /** How the user names them. */
+    constexpr const char *
+    word(const YarnEnds ends)
+    {
+      switch (ends)
+        {
+          case YarnEnds::embedded:
+            return "embedded";
+          case YarnEnds::gripped:
+            return "gripped";
+        }
+      return nullptr;
+    }
+
+
+
     /** Which sides keep the fibers that are bent from sliding along. */
     enum class Grip
     {
@@ -231,6 +254,7 @@ namespace Heddle
       YarnSet             direction     = YarnSet::warp;
       FreeSides           sides         = FreeSides::free;
       std::vector<double> shear_angles  = {20.};
+      YarnEnds            yarn_ends     = YarnEnds::embedded;
       double              curvature     = 1.;
       Grip                grip          = Grip::one_side;
       SideSections        ends          = SideSections::hinged;
