@@ -1,5 +1,7 @@
 #include <heddle/contributions/nodal_springs.h>
 
+#include <algorithm>
+
 namespace Heddle
 {
   namespace Contributions
@@ -9,6 +11,8 @@ namespace Heddle
       : own_name(name)
       , springs(springs)
     {
+      for (const Spring &spring : springs)
+        largest_force = std::max(largest_force, spring.force.norm());
     }
 
 

@@ -87,7 +87,7 @@ namespace Heddle
       typical_force(const Contributions &contributions,
                     const LargestForces &largest)
       {
-        double of_contact = 0., of_loads = 0.;
+        double of_contact = 0., of_loads = 0., tension = 0.;
         for (const auto &contribution : contributions)
           {
             const auto *const term =
@@ -95,11 +95,12 @@ namespace Heddle
                 contribution.get());
             double &of = term && term->is_nonsmooth() ? of_contact : of_loads;
             of         = std::max(of, contribution->typical_force());
+            tension    = std::max(tension, contribution->tension());
           }
         if (of_loads > 0.)
           return std::max(of_loads, of_contact);
         if (of_contact == 0.)
-          return largest.residual;
+          return std::max(tension, largest.residual);
         return std::isfinite(largest.reaction)
                  ? std::max(of_contact,
                             least_part_of_reaction * largest.reaction)

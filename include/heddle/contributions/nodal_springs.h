@@ -27,7 +27,8 @@ namespace Heddle
         Tensor<1, 3> force;     /**< [N] */
       };
 
-      /** @p name is what the log and the summary call them. */
+      /** @p name is what the log and the summary call them; @p springs are
+       * those of all ranks. */
       NodalSprings(const std::string &name, const std::vector<Spring> &springs);
 
       std::string
@@ -40,9 +41,16 @@ namespace Heddle
       assemble(const System::State &state,
                System::BlockSystem &system) override;
 
+      double
+      tension() const override
+      {
+        return largest_force;
+      }
+
     private:
       const std::string         own_name;
       const std::vector<Spring> springs;
+      double                    largest_force = 0.; /**< [N] */
     };
   } // namespace Contributions
 } // namespace Heddle

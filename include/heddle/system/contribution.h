@@ -137,6 +137,16 @@ namespace Heddle
         return 0.;
       }
 
+      /**
+       * The largest force by which this term draws fibers along all the time,
+       * to judge residuals by where no term has a typical one, or 0 [N].
+       */
+      virtual double
+      tension() const
+      {
+        return 0.;
+      }
+
       /** Numbers for the log line of an iteration, "active 1843". */
       virtual std::string
       status() const
