@@ -227,7 +227,26 @@ namespace Heddle
                                  const Kinematics   &kinematics,
                                  Sums               &sums) const
     {
-      const bool in_matrix = held.is_in_matrix();
+      const bool         in_matrix = held.is_in_matrix();
+      const Tensor<1, 3> middle    = held.position - origin;
+      double             couple    = 0.;
+      Tensor<1, 3>       lever     = place - origin;
+      for (unsigned int i = 0; i < n_directions; ++i)
+        {
+          sums.work[i] +=
+            (force * kinematics.along[i]) * (held.reference[i] - origin[i]);
+          couple +=
+            (force * kinematics.turning[i]) * middle[i] * kinematics.stretch[i];
+          lever -= kinematics.along[i] * middle[i] * kinematics.stretch[i];
+        }
+      // Ends turn with their yarn, about its middle or where the sheet has
+      // them.
+      if (!in_matrix)
+        couple +=
+          force * cross_product_3d(turn_of(held, kinematics.turn_rates), lever);
+      sums.couple += couple;
+      sums.matrix_couple += in_matrix ? couple : 0.;
+
       for (unsigned int side = 0; side < n_sides; ++side)
         if (sides >> side & 1u)
           {
@@ -237,28 +256,12 @@ namespace Heddle
               sum.of_matrix += force;
             else
               {
-                sum.ends += place;
+                // How far an end has slid is no length.
+                sum.ends +=
+                  test.supports[side]->slides_along ? place - lever : place;
                 sum.n_ends += 1.;
               }
           }
-
-      const Tensor<1, 3> middle = held.position - origin;
-      double             couple = 0.;
-      Tensor<1, 3>       lever  = place - origin;
-      for (unsigned int i = 0; i < n_directions; ++i)
-        {
-          sums.work[i] +=
-            (force * kinematics.along[i]) * (held.reference[i] - origin[i]);
-          couple +=
-            (force * kinematics.turning[i]) * middle[i] * kinematics.stretch[i];
-          lever -= kinematics.along[i] * middle[i] * kinematics.stretch[i];
-        }
-      // The ends of a yarn turn about their middle.
-      if (!in_matrix)
-        couple +=
-          force * cross_product_3d(turn_of(held, kinematics.turn_rates), lever);
-      sums.couple += couple;
-      sums.matrix_couple += in_matrix ? couple : 0.;
     }
 
 

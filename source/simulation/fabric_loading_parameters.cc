@@ -91,12 +91,11 @@ namespace Heddle
                  "Yarn ends",
                  yarn_ends,
                  "What the ends of fibers do in a matrix that is sheared. "
-                 "'embedded': along their yarn they move as the sides do, and "
-                 "across it, in the plane, as the matrix lets them, which is "
-                 "sheared evenly so; 'gripped': the ends of each "
-                 "yarn turn with its direction as one body, as those of a dry "
-                 "fabric do, and drag their fibers through a matrix that does "
-                 "not only turn. Inactive unless 'Kind' is 'picture frame' or "
+                 "'embedded': along their yarn they move as the sides do; "
+                 "across it, in the plane, nothing holds them but matrix and "
+                 "contact; 'gripped': the ends of each yarn turn as one "
+                 "body, as in a dry fabric, and drag their fibers through "
+                 "the matrix. Inactive unless 'Kind' is 'picture frame' or "
                  "'simple shear', and without a matrix [-].");
       add_parameter("Curvature",
                     curvature,

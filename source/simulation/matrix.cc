@@ -181,7 +181,8 @@ namespace Heddle
         text << "\nNote           " << counted.n_outside << " of "
              << axes.size()
              << " fibers lie wholly outside of the matrix, which does not feel "
-                "them";
+                "them; where it is sheared, choose Fabric loading/Yarn ends "
+                "'gripped', for embedded ends it holds across the yarn";
       return text.str();
     }
 

@@ -25,9 +25,9 @@ namespace Heddle
                     "Stiffness of the links between fibers and matrix per "
                     "length of fiber, in units of the matrix' modulus. 1 is a "
                     "bond as soft as the matrix, after the paper; the larger, "
-                    "the stiffer the composite, in shear above all: try 10 as "
-                    "well before a result is taken for one of the material "
-                    "[-].",
+                    "the stiffer the composite, with gripped yarns in shear "
+                    "above all: try 10 as well before a result is taken for "
+                    "one of the material [-].",
                     prm,
                     Patterns::Double(1e-6));
       add_parameter("Coupling points per element",

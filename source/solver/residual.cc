@@ -17,10 +17,10 @@ namespace Heddle
     namespace
     {
       /**
-       * Of the largest force of supports, what contacts count for at least
-       * where there are no loads: those that close or open bear next to
-       * nothing, and forces that vanish are no measure. In fabrics and strands
-       * they bear 5e-3 of it or more.
+       * Of the largest force of supports, or of the tension of guides, what
+       * contacts count for at least where there are no loads: those that close
+       * or open bear next to nothing, and forces that vanish are no measure. In
+       * fabrics and strands they bear 5e-3 of it or more.
        */
       constexpr double least_part_of_reaction = 1e-3;
 
@@ -101,10 +101,10 @@ namespace Heddle
           return std::max(of_loads, of_contact);
         if (of_contact == 0.)
           return std::max(tension, largest.residual);
-        return std::isfinite(largest.reaction)
-                 ? std::max(of_contact,
-                            least_part_of_reaction * largest.reaction)
-                 : of_contact;
+        const double reaction =
+          std::isfinite(largest.reaction) ? largest.reaction : 0.;
+        return std::max(of_contact,
+                        least_part_of_reaction * std::max(reaction, tension));
       }
     } // namespace
 

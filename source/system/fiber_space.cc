@@ -292,9 +292,12 @@ namespace Heddle
     NodeRange
     FiberSpace::knots_from(const unsigned int f, const NodeRange &held) const
     {
-      // The tangent of a node takes its neighbours.
-      return {held.begin > 0 ? held.begin + 1 : 0,
-              held.end < fibers[f].n_nodes ? held.end - 1 : held.end};
+      // The tangent of a node takes its neighbours: a node that is held for the
+      // matrix alone is no knot.
+      const unsigned int begin = held.begin > 0 ? held.begin + 1 : 0,
+                         end   = held.end < fibers[f].n_nodes ? held.end - 1
+                                                              : held.end;
+      return {begin, std::max(begin, end)};
     }
 
 
