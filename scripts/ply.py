@@ -215,9 +215,9 @@ def constants(ply, strain, folders):
             "thickness [mm]": thickness,
             "length [mm]": length,
             "width [mm]": width,
-            # No cell is left out: what is doubled is all of the fibers.
             "fiber_volume_fraction [-]":
-                read_json(folders["warp"], "summary.json")["doubled_part"],
+                read_json(folders["warp"],
+                          "summary.json")["ply_fiber_volume_fraction"],
             "A_11 [N/mm]": a_11,
             "A_12 [N/mm]": a_12,
             "A_21 [N/mm]": a_21,

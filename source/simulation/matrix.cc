@@ -421,12 +421,16 @@ namespace Heddle
     std::vector<double>
     Matrix::find_doubled_parts()
     {
-      std::vector<double> volumes = Textile::fiber_volumes(*mesh, axes);
+      Textile::FiberVolumes       volumes = Textile::fiber_volumes(*mesh, axes);
+      const Textile::LayeredGrid &grid    = mesh->grid();
       counted.doubled_volume =
-        std::accumulate(volumes.begin(), volumes.end(), 0.);
-      for (unsigned int c = 0; c < volumes.size(); ++c)
-        volumes[c] /= mesh->volume(c);
-      return volumes;
+        std::accumulate(volumes.in_cells.begin(), volumes.in_cells.end(), 0.);
+      counted.ply_thickness = grid.mean_thickness();
+      counted.ply_volume_fraction =
+        volumes.in_grid / (grid.columns().area() * counted.ply_thickness);
+      for (unsigned int c = 0; c < volumes.in_cells.size(); ++c)
+        volumes.in_cells[c] /= mesh->volume(c);
+      return volumes.in_cells;
     }
   } // namespace Simulation
 } // namespace Heddle

@@ -37,11 +37,13 @@ namespace Heddle
 
 
 
-    std::vector<double>
+    FiberVolumes
     fiber_volumes(const MatrixMesh &mesh, const std::vector<FiberAxis> &fibers)
     {
-      std::vector<double> volumes(mesh.cells().size(), 0.);
-      const double spacing = 0.25 * std::cbrt(mesh.volume() / volumes.size());
+      FiberVolumes volumes;
+      volumes.in_cells.resize(mesh.cells().size());
+      const double spacing =
+        0.25 * std::cbrt(mesh.volume() / mesh.cells().size());
       for (const FiberAxis &fiber : fibers)
         {
           const double       ratio = 2. * fiber.radius / spacing;
@@ -59,12 +61,16 @@ namespace Heddle
                 for (unsigned int j = 0; j < n_across; ++j)
                   {
                     const Point<3> point = point_of_cylinder(j, n_across, turn);
-                    const auto     found =
-                      mesh.locate(fiber.points[i] + (k + point[2]) / n * piece +
-                                  fiber.radius * (point[0] * across[0] +
-                                                  point[1] * across[1]));
-                    if (found.cell != no_cell)
-                      volumes[found.cell] += volume;
+                    const auto     found = mesh.grid().locate(
+                      fiber.points[i] + (k + point[2]) / n * piece +
+                      fiber.radius *
+                        (point[0] * across[0] + point[1] * across[1]));
+                    if (found.cell == no_cell)
+                      continue;
+                    volumes.in_grid += volume;
+                    const unsigned int cell = mesh.number_of(found.cell);
+                    if (cell != no_cell)
+                      volumes.in_cells[cell] += volume;
                   }
             }
         }

@@ -164,6 +164,17 @@ namespace Heddle
 
 
 
+    double
+    LayeredGrid::mean_thickness() const
+    {
+      double sum = 0.;
+      for (unsigned int c = 0; c < n_cells(); ++c)
+        sum += volume(c);
+      return sum / base.area();
+    }
+
+
+
     std::array<unsigned int, 4>
     LayeredGrid::corners_of(const unsigned int i, const unsigned int j) const
     {

@@ -91,7 +91,7 @@ namespace Heddle
     {
       PlaceInCell place = pattern.locate(point);
       if (place.cell != no_cell)
-        place.cell = numbers_of_cells[place.cell];
+        place.cell = number_of(place.cell);
       return place;
     }
 

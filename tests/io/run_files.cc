@@ -52,7 +52,9 @@ summary_and_history()
                     /*n_links=*/96,
                     /*n_assemblies=*/1,
                     /*volume=*/0.5,
-                    /*doubled_volume=*/0.125};
+                    /*doubled_volume=*/0.125,
+                    /*ply_thickness=*/0.375,
+                    /*ply_volume_fraction=*/0.4375};
   deallog << summary.json() << std::endl;
 
   Heddle::create_folder("summary_files");

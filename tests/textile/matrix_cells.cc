@@ -1,5 +1,5 @@
 // The cells of a matrix: deal.II makes a triangulation of them, loose ones are
-// dropped, and their parts of the fibers add up.
+// dropped, their parts of the fibers add up, and make a ply.
 #include <heddle/textile/fiber_volume.h>
 #include <heddle/textile/kept_cells.h>
 #include <heddle/textile/matrix_mesh.h>
@@ -195,7 +195,7 @@ cut(const unsigned int  n,
   description.high_corner = {1., 1., 1.};
   description.leave_out   = false;
   const MatrixMesh          mesh(description, fibers, fibers[0].points);
-  const std::vector<double> volumes = fiber_volumes(mesh, fibers);
+  const std::vector<double> volumes = fiber_volumes(mesh, fibers).in_cells;
 
   // Parts of cells whose middle lies deep inside and far outside of the fiber.
   const Tensor<1, 3> along  = (end - begin) / (end - begin).norm();
@@ -260,6 +260,37 @@ volumes_of_fibers()
 
 
 
+/**
+ * A ply has its thickness and its fibers whether or not cells are left out of
+ * the mesh: those of all of them, and of the fibers between the sides.
+ */
+void
+sizes_of_a_ply()
+{
+  const WovenFabric     fabric("twill 2/2", 4, 2);
+  MatrixMeshDescription description;
+  description.n_cells = {{28, 28, 11}};
+  const MatrixMesh   with_holes(description, fabric.fibers, fabric.nodes);
+  const FiberVolumes part = fiber_volumes(with_holes, fabric.fibers);
+  description.leave_out   = false;
+  const MatrixMesh   whole(description, fabric.fibers, fabric.nodes);
+  const FiberVolumes all = fiber_volumes(whole, fabric.fibers);
+
+  const auto in_cells = [](const FiberVolumes &volumes) {
+    return std::accumulate(
+      volumes.in_cells.begin(), volumes.in_cells.end(), 0.);
+  };
+  deallog << "Thickness over volume by area "
+          << with_holes.grid().mean_thickness() *
+               whole.grid().columns().area() / whole.volume()
+          << "; fibers in the grid over those in all its cells "
+          << all.in_grid / in_cells(all) << ", in the mesh with holes "
+          << in_cells(part) / in_cells(all) << ", in its grid within 0.1 %: "
+          << (std::abs(part.in_grid / all.in_grid - 1.) < 1e-3) << std::endl;
+}
+
+
+
 int
 main()
 {
@@ -267,4 +298,5 @@ main()
   run_part("Triangulation", triangulations);
   run_part("Loose cells", loose_cells);
   run_part("Volumes of fibers", volumes_of_fibers);
+  run_part("Sizes of a ply", sizes_of_a_ply);
 }

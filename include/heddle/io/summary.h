@@ -160,6 +160,12 @@ namespace Heddle
       /** Of fibers that lie in cells [mm^3]. */
       double doubled_volume = 0.;
 
+      /** Mean distance of its outer surfaces [mm]. */
+      double ply_thickness = 0.;
+
+      /** Of the fibers between these surfaces, and within the sides [-]. */
+      double ply_volume_fraction = 0.;
+
       /** Call @p visit (name, value) for all that is told of the @p matrix, in
        * the order of summary.json. */
       template <typename Visit>
@@ -173,6 +179,8 @@ namespace Heddle
         visit("matrix_volume_mm3", matrix.volume);
         visit("doubled_volume_mm3", matrix.doubled_volume);
         visit("doubled_part", matrix.doubled_volume / matrix.volume);
+        visit("ply_thickness_mm", matrix.ply_thickness);
+        visit("ply_fiber_volume_fraction", matrix.ply_volume_fraction);
       }
     };
 

@@ -28,6 +28,13 @@ namespace Heddle
         return (high[d] - low[d]) / n_columns[d];
       }
 
+      /** Of the whole rectangle [mm^2]. */
+      double
+      area() const
+      {
+        return (high[0] - low[0]) * (high[1] - low[1]);
+      }
+
       unsigned int
       n_corners() const
       {

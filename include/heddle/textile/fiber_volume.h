@@ -9,13 +9,25 @@ namespace Heddle
 {
   namespace Textile
   {
+    /** How much fiber there is where a mesh is [mm^3]. */
+    struct FiberVolumes
+    {
+      /** In each cell of the mesh. */
+      std::vector<double> in_cells;
+
+      /** In all of the mesh' grid, also where cells were left out. */
+      double in_grid = 0.;
+    };
+
+
+
     /**
-     * Volume of @p fibers in each cell of @p mesh [mm^3]. Fibers are cut into
-     * parts of equal volume as long and as wide as a quarter of a cell, but no
-     * thinner than the fiber: cells that are finer than fibers have their part
-     * of the section each.
+     * Volumes of @p fibers in @p mesh. Fibers are cut into parts of equal
+     * volume as long and as wide as a quarter of a cell, but no thinner than
+     * the fiber: cells that are finer than fibers have their part of the
+     * section each.
      */
-    std::vector<double>
+    FiberVolumes
     fiber_volumes(const MatrixMesh &mesh, const std::vector<FiberAxis> &fibers);
   } // namespace Textile
 } // namespace Heddle

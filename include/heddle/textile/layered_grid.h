@@ -114,6 +114,10 @@ namespace Heddle
       double
       volume(const unsigned int cell) const;
 
+      /** Mean distance of the surfaces [mm]. */
+      double
+      mean_thickness() const;
+
       /** Distance of the surfaces over a corner of the columns [mm]. */
       double
       thickness(const unsigned int corner) const

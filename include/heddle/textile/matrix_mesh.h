@@ -95,6 +95,13 @@ namespace Heddle
         return faces;
       }
 
+      /** Number in cells() of a cell of the grid; no_cell if it is left out. */
+      unsigned int
+      number_of(const unsigned int cell_of_grid) const
+      {
+        return numbers_of_cells[cell_of_grid];
+      }
+
       /**
        * The cell, as a number in cells(), in which @p point lies, and where;
        * no_cell outside and in cells that were left out.
