@@ -121,7 +121,7 @@ namespace Heddle
         MPI_Abort(communicator, end.code);
       }
 
-    // The lowest rank that has something to say speaks for all.
+    // The largest code counts, and the lowest rank that has it speaks for all.
     const internal::Guard::CodeOfRank mine = {-end.code, rank};
     internal::Guard::CodeOfRank       first;
     MPI_Allreduce(&mine, &first, 1, MPI_2INT, MPI_MINLOC, meeting);

@@ -131,6 +131,19 @@ namespace Heddle
 
 
     void
+    FiberContact::forget()
+    {
+      cells.set_cells({});
+      cells.set_forgiven({});
+      accepted_cells.clear();
+      accepted_forces.clear();
+      accepted_active = hardening = 0.;
+      fibers.forget_search();
+    }
+
+
+
+    void
     FiberContact::begin_step(System::State &)
     {
       fibers.forget_search();

@@ -37,7 +37,15 @@ namespace Heddle
                   entry.path().stem().string().rfind("step-", 0) == 0)
                 paths.push_back(entry.path());
           require(!unreadable, "The folder \"" + folder + "\" cannot be read.");
-          std::sort(paths.begin(), paths.end());
+          // From 100000 on numbers have more digits.
+          std::sort(
+            paths.begin(), paths.end(), [](const auto &a, const auto &b) {
+              const auto length = [](const std::filesystem::path &path) {
+                return path.native().size();
+              };
+              return std::make_pair(length(a), a) <
+                     std::make_pair(length(b), b);
+            });
           return paths;
         }
 

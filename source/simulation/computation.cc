@@ -377,8 +377,8 @@ namespace Heddle
                                   const Solver::NewtonResult &result)
     {
       Solver::LoadStepping &steps   = *stepping[place.stage];
-      const bool            to_zero = scene.is_fabric() && stage.is_loaded() &&
-                           scene.state().load_factor == 0.;
+      const bool            at_zero = scene.state().load_factor == 0.;
+      const bool to_zero = scene.is_fabric() && stage.is_loaded() && at_zero;
       const std::string where = place_in_words();
       const std::string jam =
         scene.contact() ? scene.contact()->jam_in_words() : "";
@@ -394,8 +394,9 @@ namespace Heddle
         }
 
       // The way of a snap is no shorter in a shorter step: what is left is to
-      // go along it for longer.
-      if (result.used_up && limits.max_iterations < limits.most_iterations)
+      // go along it for longer, as a step to load factor 0 has done.
+      if (!at_zero && result.used_up &&
+          limits.max_iterations < limits.most_iterations)
         {
           place.tries.takes_longest = true;
           steps.restore();

@@ -169,11 +169,12 @@ namespace Heddle
               fabric_loading + "\"Ramp\" is \"" + ramp +
                 "\", which is 0 from t = 0 to 1, and loads nothing; let it "
                 "depend on t, or set \"Kind\" to \"held\".");
-      require(!(pulls(YarnSet::warp) || pulls(YarnSet::weft)) || strain != 0.,
+      const bool stretches = pulls(YarnSet::warp) || pulls(YarnSet::weft);
+      require(!stretches || strain != 0.,
               fabric_loading +
                 "\"Strain\" is 0, and pulls nothing; 0.02 are 2 %, and where "
                 "nothing is to be pulled \"Kind\" is \"held\".");
-      require(is_shear() || (strain > -1. && strain < 10.),
+      require(!stretches || (strain > -1. && strain < 10.),
               fabric_loading + "\"Strain\" is " + number_text(strain) +
                 "; it must lie between -1 and 10, and 0.02 are 2 %.");
       require(!bends() || (std::isfinite(curvature) && curvature != 0.),
@@ -189,7 +190,7 @@ namespace Heddle
                     "; the strain of the warp over that of the weft must be "
                     "positive.");
           require(
-            is_shear() || (strain / *number > -1. && strain / *number < 10.),
+            !stretches || (strain / *number > -1. && strain / *number < 10.),
             fabric_loading + "\"Strain ratios\" names " + number_text(*number) +
               ", which makes the strain of the weft " +
               number_text(strain / *number, 6) +

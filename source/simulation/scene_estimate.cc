@@ -101,12 +101,16 @@ namespace Heddle
 
 
 
+      /** Nobody waits for more, nor for more to be counted. */
+      constexpr unsigned int most_steps = 1000000;
+
       /** Steps of a plan of which so many iterations are taken each. */
       double
       count_steps(const Solver::LoadPlan &plan, const unsigned int iterations)
       {
-        unsigned int n = 0;
-        for (Solver::LoadStepping steps(plan); !steps.finished(); ++n)
+        unsigned int         n = 0;
+        Solver::LoadStepping steps(plan);
+        for (; n < most_steps && !steps.finished(); ++n)
           steps.accept(iterations);
         return n;
       }

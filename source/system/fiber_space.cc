@@ -292,12 +292,16 @@ namespace Heddle
     NodeRange
     FiberSpace::knots_from(const unsigned int f, const NodeRange &held) const
     {
-      // The tangent of a node takes its neighbours: a node that is held for the
-      // matrix alone is no knot.
-      const unsigned int begin = held.begin > 0 ? held.begin + 1 : 0,
-                         end   = held.end < fibers[f].n_nodes ? held.end - 1
-                                                              : held.end;
-      return {begin, std::max(begin, end)};
+      // The tangent of a node takes its neighbours, and that of an end the two
+      // next ones, see first_of_parabola(): of nodes that are held for the
+      // matrix alone there may be fewer.
+      const unsigned int n       = fibers[f].n_nodes;
+      const unsigned int begin   = held.begin > 0 ? held.begin + 1 : 0;
+      const unsigned int end     = held.end < n ? held.end - 1 : n;
+      const bool         has_end = begin == 0 || end == n;
+      const bool         too_few = has_end && blocks_per_node == 3 &&
+                           held.end - held.begin < std::min(n, 3u);
+      return {begin, too_few ? begin : std::max(begin, end)};
     }
 
 

@@ -1,13 +1,15 @@
 // The smooth centerline of every element, on uneven meshes: weights of a
 // material point sum to one, quadratic curves are reproduced (cubic ones by the
 // C1 element), the slope has no jump at nodes, and the knots that contact sees
-// are the same curve.
+// are the same curve, also those of any piece of which a rank knows the nodes.
 #include <heddle/base/choice.h>
 #include <heddle/contact/curve.h>
 #include <heddle/system/fiber_space.h>
 
 #include "../tests.h"
 #include "knots.h"
+
+#include <limits>
 
 using Heddle::System::FiberSpace;
 
@@ -33,6 +35,9 @@ slopes(const double s, const unsigned int degree)
 struct Errors
 {
   double sum = 0., curve = 0., kink = 0., knots = 0.;
+
+  /** Knots of pieces that are not those of the whole fiber. */
+  unsigned int wrong = 0;
 };
 
 
@@ -47,6 +52,39 @@ position(const FiberSpace                &space,
   for (unsigned int i = 0; i < 4; ++i)
     x += point.values[i] * blocks[point.blocks[i]];
   return x;
+}
+
+
+
+/** Count knots that differ where no more than a piece is known. */
+unsigned int
+count_wrong_knots(const FiberSpace                &space,
+                  const std::vector<Tensor<1, 3>> &blocks,
+                  const std::vector<Tensor<1, 3>> &positions,
+                  const std::vector<Tensor<1, 3>> &tangents)
+{
+  const unsigned int n = space.fiber(0).n_nodes, m = space.n_blocks_per_node();
+  unsigned int       n_wrong = 0;
+  for (unsigned int begin = 0; begin < n; ++begin)
+    for (unsigned int end = begin + 1; end <= n; ++end)
+      {
+        Tensor<1, 3> unknown;
+        unknown[0] = std::numeric_limits<double>::quiet_NaN();
+        std::vector<Tensor<1, 3>> known(blocks.size(), unknown);
+        std::copy(blocks.begin() + m * begin,
+                  blocks.begin() + m * end,
+                  known.begin() + m * begin);
+        const auto                knots = space.knots_from(0, {begin, end});
+        std::vector<Tensor<1, 3>> x(knots.end - knots.begin), t(x);
+        space.centerline_knots(
+          0, {begin, end}, known.data() + m * begin, x.data(), t.data());
+        for (unsigned int i = knots.begin; i < knots.end; ++i)
+          n_wrong += x[i - knots.begin] == positions[i] &&
+                         t[i - knots.begin] == tangents[i]
+                       ? 0
+                       : 1;
+      }
+  return n_wrong;
 }
 
 
@@ -91,6 +129,7 @@ examine(const std::string &name,
                          random_curve.data(),
                          positions.data(),
                          tangents.data());
+  errors.wrong = count_wrong_knots(space, random_curve, positions, tangents);
   std::vector<Heddle::Contact::CurveCubic> cubics(n_nodes);
   Heddle::Contact::set_cubics(
     n_nodes, s_nodes, positions.data(), tangents.data(), cubics.data());
@@ -154,6 +193,7 @@ main(int argc, char **argv)
                 << reproduced << " reproduced " << verdict(errors.curve, 1e-10)
                 << ", smooth " << verdict(errors.kink, 1e-3)
                 << ", knots the same " << verdict(errors.knots, 1e-11)
+                << ", of pieces too " << verdict(errors.wrong, 0.5)
                 << std::endl;
       }
 }

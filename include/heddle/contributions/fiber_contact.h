@@ -171,7 +171,13 @@ namespace Heddle
       {
         if (archive.has(name() + "/cells"))
           load(archive, state);
+        else
+          forget();
       }
+
+      /** As if fibers had never touched. */
+      void
+      forget();
 
       const std::vector<Contact::ContactElement> &
       elements() const

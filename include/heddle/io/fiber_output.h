@@ -21,8 +21,7 @@ namespace Heddle
      * and section forces of the fibers.
      *
      * Elements know strains and forces best at their middles. In between they
-     * vary linearly along the fiber, and before the first and beyond the last
-     * middle they are constant.
+     * vary linearly along the fiber, and these lines go on to its ends.
      */
     class FiberOutput
     {
