@@ -83,13 +83,15 @@ class Ply:
                      [float(row[name]) for name in "xyz"]))
         results = self.summary["results"]
         self.lower, self.upper = [0.] * 3, [0.] * 3
+        # Mean places of the first and last ends of warp along x, of weft along y.
+        self.ends = []
         for i, across in enumerate(("weft", "warp")):
             half = 0.5 * self.n_yarns(across) * results[f"{across}_spacing[mm]"]
             places = [point[i] for points in fibers.values()
                       for kind, _, point in points if kind == across]
             middle = sum(places) / len(places)
             self.lower[i], self.upper[i] = middle - half, middle + half
-            self.note_ends(i, fibers, half / self.n_yarns(across))
+            self.find_ends(i, fibers, half / self.n_yarns(across))
         # Ends beyond the block stand higher.
         within = [(radius, point) for points in fibers.values()
                   for _, radius, point in points
@@ -106,12 +108,15 @@ class Ply:
         self.lower[2] = 0.5 * (low + high - thickness)
         self.upper[2] = self.lower[2] + thickness
 
-    def note_ends(self, i, fibers, half_spacing):
-        """Say if fibers of a set end far within the block."""
+    def find_ends(self, i, fibers, half_spacing):
+        """Find where fibers of a set end, and say if it is far within the
+        block."""
         kind = ("warp", "weft")[i]
-        lengths = [abs(points[-1][2][i] - points[0][2][i])
-                   for points in fibers.values() if points[0][0] == kind]
-        within = 0.5 * (self.extent(i) - sum(lengths) / len(lengths))
+        lines = [points for points in fibers.values() if points[0][0] == kind]
+        first, last = (sum(points[end][2][i] for points in lines) / len(lines)
+                       for end in (0, -1))
+        self.ends.append((first, last))
+        within = 0.5 * (self.extent(i) - abs(last - first))
         if within > 0.1 * half_spacing:
             print(f"Note: yarns have spread as they settled, and the {kind} ends "
                   f"{within:.3g} mm within the block: what is beyond is matrix "
@@ -142,6 +147,11 @@ class Ply:
 
     def extent(self, i):
         return self.upper[i] - self.lower[i]
+
+    def places(self, i):
+        """Return {support: place} along x or y, of the sides across it."""
+        return {2 * i + 1: self.ends[i][0], 2 * i + 2: self.ends[i][1],
+                2 * i + 5: self.lower[i], 2 * i + 6: self.upper[i]}
 
     def settings(self, test, strain, free):
         """Return the settings of a test, begun free of stress or not."""
@@ -187,20 +197,19 @@ def change(folder, column):
     return after - before
 
 
-def force(folder, i):
-    """Return the mean force that pulls the two sides along x or y apart [N]."""
-    axis = "xy"[i]
-    low, high = (sum(change(folder, f"support_{number}_force_{axis}[N]")
-                     for number in (side, side + 4))
-                 for side in (2 * i + 1, 2 * i + 2))
-    return 0.5 * (high - low)
+def work_of_strain(ply, folder, i):
+    """Return what the forces along x or y do in an even strain along it, over
+    that strain [N mm]: by where they act, for fibers do not end where the block
+    does."""
+    return sum(place * change(folder, f"support_{number}_force_{'xy'[i]}[N]")
+               for number, place in ply.places(i).items())
 
 
 def constants(ply, strain, folders):
     """Return the constants of a ply by the folders of its tests."""
     length, width, thickness = (ply.extent(i) for i in range(3))
-    sections = (width, length)
-    stiffness = [[force(folders[test], i) / sections[i] / strain
+    stiffness = [[work_of_strain(ply, folders[test], i) /
+                  (strain * length * width)
                   for test in ("warp", "weft")] for i in range(2)]
     (a_11, a_12), (a_21, a_22) = stiffness
     of_shear = (sum(change(folders[test], "external_work[N*mm]")

@@ -15,6 +15,14 @@ def built():
     return os.path.join(ROOT, "build", "heddle")
 
 
+def given(path):
+    """Return the path of a program that is taken as it is."""
+    if not (os.path.isfile(path) and os.access(path, os.X_OK)):
+        raise OSError(f"'{path}' is no program: name one by --program, or leave "
+                      "it out.")
+    return path
+
+
 def default_folder(kind, scene):
     """Return where results of a kind of a scene go unless it is said."""
     name = os.path.splitext(os.path.basename(scene))[0]

@@ -8,6 +8,8 @@ import json
 import os
 import socket
 
+from ply import parse_parameters
+
 # Columns that are printed where they are not zero everywhere.
 SHOWN = ("thickness", "warp_crimp", "weft_crimp", "fiber_volume_fraction",
          "warp_force_per_width", "weft_force_per_width",
@@ -56,6 +58,31 @@ class Variation:
                              "'Section/Name = value | value'.")
         if len(set(self.values)) < len(self.values):
             raise SweepError(f"'{text}' has a value twice.")
+
+
+def parse_settings(settings):
+    """Return {"Section/Name": value} of "Section/Name=value"."""
+    return {name.strip(): value.strip() for name, _, value in
+            (setting.partition("=") for setting in settings)}
+
+
+def digest(path):
+    """Return the sha256 of what a file holds."""
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
+
+
+def named_files(values, folder=""):
+    """Return {value: digest} of those values that name a file, or a folder with
+    an initial configuration, as seen from a folder."""
+    found = {}
+    for value in values:
+        path = os.path.join(folder, value)
+        if value and os.path.isdir(path):
+            path = os.path.join(path, "initial_configuration.h5")
+        if os.path.isfile(path):
+            found[value] = digest(path)
+    return found
 
 
 class Case:
@@ -140,6 +167,14 @@ class Sweep:
         names = [variation.name for variation in self.variations]
         if len(set(names)) < len(names):
             raise SweepError("a parameter is varied twice.")
+        set_for_all = parse_settings(common)
+        for name in names:
+            if name in set_for_all:
+                raise SweepError(f"'{name}' is varied, and set by --set; leave "
+                                 "out one of them.")
+        if "Run/Output directory" in names:
+            raise SweepError("each case has a folder of its own: 'Run/Output "
+                             "directory' cannot be varied.")
         for variation in self.variations:
             variation.short = shortest(variation.name, names)
         self.cases = [
@@ -147,15 +182,22 @@ class Sweep:
             for number, values in enumerate(itertools.product(
                 *(variation.values for variation in self.variations)), 1)]
         try:
-            with open(scene, "rb") as file:
-                digest = hashlib.sha256(file.read()).hexdigest()
+            with open(scene, encoding="utf-8") as file:
+                entries = parse_parameters(file.read())
+            self.record = {
+                "scene": os.path.basename(scene), "sha256": digest(scene),
+                "files": {
+                    **named_files(entries.values(), os.path.dirname(scene)),
+                    **named_files(set_for_all.values()),
+                    **named_files(value for variation in self.variations
+                                  for value in variation.values)},
+                "set": common,
+                # In this order cases have their numbers.
+                "vary": [[variation.name, variation.values]
+                         for variation in self.variations]}
         except OSError as error:
-            raise SweepError(f"'{scene}' cannot be read: {error.strerror}."
-                             ) from None
-        self.record = {"scene": os.path.basename(scene), "sha256": digest,
-                       "set": common, "vary": {
-                           variation.name: variation.values
-                           for variation in self.variations}}
+            raise SweepError(f"'{error.filename}' cannot be read: "
+                             f"{error.strerror}.") from None
 
     def chosen(self, number):
         """Return all cases, or the one of this number."""
@@ -192,8 +234,9 @@ class Sweep:
             raise SweepError(f"'{self.folder}' holds no sweep.") from None
         if not same:
             raise SweepError(
-                f"'{self.folder}' holds a sweep of another scene, or of other "
-                "values: give another folder by -o, or remove that one.")
+                f"'{self.folder}' holds a sweep of another scene, of other "
+                "values or in another order, or a file that the scene names has "
+                "changed: give another folder by -o, or remove that one.")
 
     @staticmethod
     def beside(path):
@@ -227,7 +270,8 @@ class Sweep:
                 if row["stage"] not in ON_THE_WAY]
         names = list(dict.fromkeys(name for _, row in rows for name in row))
         by_short = {name.partition("[")[0]: name for name in names}
-        for name in wanted or ():
+        wanted = [name.partition("[")[0] for name in wanted or ()]
+        for name in wanted:
             if name not in by_short:
                 raise SweepError(f"no case has a column '{name}'; they have "
                                  f"{', '.join(by_short)}.")

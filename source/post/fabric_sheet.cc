@@ -138,7 +138,7 @@ namespace Heddle
             continue;
           const Tensor<1, 3> piece = (part.second - part.first) * (b - a);
           sets[d].length += piece.norm();
-          way += window.coordinate(d, piece);
+          way += window.component(d, piece);
         }
       // Yarns may run either way.
       sets[d].way += std::abs(way);

@@ -20,11 +20,30 @@ namespace Heddle
       {
         return a[0] * b[1] - a[1] * b[0];
       }
+
+
+
+      /** Mean of the points of all yarns' mean lines. */
+      Tensor<1, 3>
+      middle_of(const std::array<std::vector<YarnBody>, 2> &sets)
+      {
+        Tensor<1, 3> sum;
+        double       n = 0.;
+        for (const std::vector<YarnBody> &yarns : sets)
+          for (const YarnBody &yarn : yarns)
+            for (const Tensor<1, 3> &point : yarn.mean)
+              {
+                sum += point;
+                n += 1.;
+              }
+        return n > 0. ? sum / n : sum;
+      }
     } // namespace
 
 
 
     FabricWindow::FabricWindow(const std::array<std::vector<YarnBody>, 2> &sets)
+      : origin(middle_of(sets))
     {
       // The ends of yarns may be anywhere: once it is known where yarns cross
       // only what is between counts for how and where they lie.
@@ -46,11 +65,11 @@ namespace Heddle
 
 
     double
-    FabricWindow::coordinate(const unsigned int  d,
-                             const Tensor<1, 3> &point) const
+    FabricWindow::component(const unsigned int  d,
+                            const Tensor<1, 3> &piece) const
     {
       const Tensor<1, 3> &other = directions[1 - d];
-      return area_between(point, other) / area_between(directions[d], other);
+      return area_between(piece, other) / area_between(directions[d], other);
     }
 
 

@@ -160,7 +160,7 @@ namespace Heddle
         mean_lines.push_back(yarn.mean_line());
 
       std::ostringstream out;
-      out.precision(6);
+      out.precision(9);
       out << "yarn_a[-],yarn_b[-],x[mm],y[mm],z_a[mm],z_b[mm],a_on_top[-],"
              "a_on_top_wanted[-],fiber_pairs[-],fiber_pairs_wrong[-],"
              "fiber_pairs_apart[-],contacts[-],contact_force[N],"

@@ -83,7 +83,7 @@ namespace Heddle
     FabricReport::yarns_csv(const unsigned int n_stations) const
     {
       std::ostringstream out;
-      out.precision(6);
+      out.precision(9);
       out << "yarn[-],is_warp[-],station[-],x[mm],y[mm],z[mm],width[mm],"
              "height[mm],aspect_ratio[-],hull_area[mm^2],fiber_area[mm^2],"
              "volume_fraction[-],fibers_missing[-],crimp[-]\n";

@@ -426,8 +426,19 @@ namespace Heddle
     Recorder::measure_yarns(const Place &place)
     {
       const unsigned int n_stations = parameters.output.yarn_stations;
-      if (scene.space().n_yarns() == 0 || n_stations == 0)
+      if (scene.space().n_yarns() == 0)
         return;
+      if (n_stations == 0)
+        {
+          // Those of a run that is resumed are of an earlier stage.
+          summary.results.clear();
+          overfull.clear();
+          if (first_rank)
+            for (const std::string table :
+                 {"yarns.csv", "orientation.csv", "crossings.csv"})
+              std::filesystem::remove(directory + "/" + table);
+          return;
+        }
       const FabricReport fabric    = measured(place);
       const std::string  crossings = crossings_csv(scene, fabric);
       if (!first_rank)

@@ -75,13 +75,21 @@ fibers()
 
 
 
-/** Number of points in all pieces of a VTU file. */
+/** Number of points in all pieces of a VTU file, each of which must say so. */
 unsigned int
 count_points(const std::string &file)
 {
-  const std::string text = Heddle::read_file(file, "VTU file");
-  const std::regex  number("NumberOfPoints=\"([0-9]+)\"");
-  unsigned int      n = 0;
+  const std::string text      = Heddle::read_file(file, "VTU file");
+  const auto        number_of = [&text](const std::string &words) {
+    const std::regex pattern(words);
+    return std::distance(
+      std::sregex_iterator(text.begin(), text.end(), pattern),
+      std::sregex_iterator());
+  };
+  deallog << "pieces " << number_of("<Piece") << ", with points "
+          << number_of("<Points") << ": ";
+  const std::regex number("NumberOfPoints=\"([0-9]+)\"");
+  unsigned int     n = 0;
   for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end;
        ++i)
     n += std::stoi((*i)[1]);

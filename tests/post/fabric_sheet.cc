@@ -330,6 +330,29 @@ lost_and_doubled()
 
 
 
+/** A fabric is the same wherever it lies, though its yarns have ends that do
+ * not go along them. */
+void
+moved()
+{
+  auto paths = weave(64);
+  for (auto &path : paths)
+    path.points.front() += Tensor<1, 3>({0.1, 0.2, 0.});
+  const auto here = Placed(paths).results();
+  for (auto &path : paths)
+    for (Tensor<1, 3> &point : path.points)
+      point += Tensor<1, 3>({100., -200., 0.});
+  auto   there     = Placed(paths).results();
+  double different = 0.;
+  for (const auto &entry : here)
+    different =
+      std::max(different, std::abs(there[entry.first] - entry.second));
+  deallog << here.size() << " and " << there.size()
+          << " entries, the same to 1e-9: " << (different < 1e-9) << std::endl;
+}
+
+
+
 /** Yarns that make no fabric: all that there is counts. */
 void
 no_fabric()
@@ -351,5 +374,6 @@ main(int argc, char **argv)
   run_part("Histogram", histogram);
   run_part("Turned and sheared", sheared);
   run_part("Lost and doubled", lost_and_doubled);
+  run_part("Moved", moved);
   run_part("No fabric", no_fabric);
 }

@@ -69,6 +69,10 @@ namespace Heddle
       }
 
     private:
+      /** A file of no patches, with the names of the data. */
+      std::string
+      without_points() const;
+
       std::vector<std::string> component_names;
       std::vector<
         std::tuple<unsigned int,

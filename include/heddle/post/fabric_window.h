@@ -33,9 +33,10 @@ namespace Heddle
      * The part of a fabric that is measured: the parallelogram in its plane
      * whose sides are the axes of the outer yarns. Ends of yarns that stick out
      * are not in it. Points of the plane have the coordinates
-     * $x = \xi_0 e_0 + \xi_1 e_1$ with the mean directions $e_d$ of both sets
-     * of yarns, which need not be at right angles, as in a fabric that is
-     * sheared.
+     * $x = x_0 + \xi_0 e_0 + \xi_1 e_1$ with a point $x_0$ amid the fabric,
+     * lest directions matter that differ by little, and the mean directions
+     * $e_d$ of both sets of yarns, which need not be at right angles, as in a
+     * fabric that is sheared.
      */
     class FabricWindow
     {
@@ -83,9 +84,9 @@ namespace Heddle
                    const Tensor<1, 3> &a,
                    const Tensor<1, 3> &b) const;
 
-      /** Coordinate $\xi_d$ of a point, or of a piece [mm]. */
+      /** How far a @p piece goes along $e_d$ [mm]. */
       double
-      coordinate(const unsigned int d, const Tensor<1, 3> &point) const;
+      component(const unsigned int d, const Tensor<1, 3> &piece) const;
 
       /** Whether a point lies between the outer yarns that set @p d crosses, or
        * within @p margin of them [mm]. */
@@ -95,6 +96,13 @@ namespace Heddle
                  const double        margin) const;
 
     private:
+      /** Coordinate $\xi_d$ of a point [mm]. */
+      double
+      coordinate(const unsigned int d, const Tensor<1, 3> &point) const
+      {
+        return component(d, point - origin);
+      }
+
       /** Whether a point of set @p d tells where its yarn lies: all do as long
        * as it is not known which lie between the yarns that it crosses. */
       bool
@@ -111,6 +119,7 @@ namespace Heddle
       find_columns(const std::vector<YarnBody> &yarns,
                    const unsigned int           d) const;
 
+      Tensor<1, 3>                origin;
       std::array<Tensor<1, 3>, 2> directions;
       std::array<Columns, 2>      columns; /**< of each set, across it */
       double                      sine     = 0.;
