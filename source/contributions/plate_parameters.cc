@@ -25,8 +25,10 @@ namespace Heddle
         "rigid, smooth and level, below and above all fibers, in a fabric "
         "where its yarns cross, and touch the lowest and the highest surface "
         "when a "
-        "load case begins; each moves by half of it. Where the formula turns "
-        "back there is a load step. '0': there are no plates [-].");
+        "load case begins; each moves by half of it. Fibers are in them by up "
+        "to Contact/Penetration threshold, which counts where less than some "
+        "percent are pressed. Where the formula turns back there is a load "
+        "step. '0': there are no plates [-].");
       parse_parameters_call_back.connect([this]() { check(); });
     }
 

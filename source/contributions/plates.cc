@@ -18,9 +18,6 @@ namespace Heddle
       /** Points within one radius of a fiber. */
       constexpr double points_per_radius = 8.;
 
-      /** First penalty over the stiffness of the section, see FiberContact. */
-      constexpr double softness_at_first = 0.2;
-
       /** A penalty aims below the threshold, lest it has to be raised again. */
       constexpr double aim = 0.75;
 
@@ -137,8 +134,7 @@ namespace Heddle
       // Hertz' line contact of a cylinder with something rigid,
       // p = pi/4 E d.
       const System::Fiber &fiber = space.fiber(f);
-      return softness_at_first * fiber.section.axial /
-             (4. * fiber.radius * fiber.radius);
+      return fiber.section.axial / (4. * fiber.radius * fiber.radius);
     }
 
 
