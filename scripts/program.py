@@ -1,6 +1,7 @@
 """The program that scripts start, and how."""
 
 import os
+import shutil
 import subprocess
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -16,11 +17,13 @@ def built():
 
 
 def given(path):
-    """Return the path of a program that is taken as it is."""
-    if not (os.path.isfile(path) and os.access(path, os.X_OK)):
+    """Return the path of a program that is taken as it is, or found by its
+    name."""
+    found = shutil.which(path)
+    if found is None:
         raise OSError(f"'{path}' is no program: name one by --program, or leave "
                       "it out.")
-    return path
+    return found
 
 
 def default_folder(kind, scene):
