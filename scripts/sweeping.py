@@ -16,6 +16,8 @@ SHOWN = ("thickness", "warp_crimp", "weft_crimp", "fiber_volume_fraction",
          "shear_couple_per_area", "bending_moment_per_width",
          "plate_pressure")
 
+OUTPUT_DIRECTORY = "Run/Output directory"
+
 # Stages on the way to where tests begin: in the table, but not printed.
 ON_THE_WAY = ("order", "approach")
 
@@ -172,9 +174,9 @@ class Sweep:
             if name in set_for_all:
                 raise SweepError(f"'{name}' is varied, and set by --set; leave "
                                  "out one of them.")
-        if "Run/Output directory" in names:
-            raise SweepError("each case has a folder of its own: 'Run/Output "
-                             "directory' cannot be varied.")
+        if OUTPUT_DIRECTORY in names:
+            raise SweepError("each case has a folder of its own: "
+                             f"'{OUTPUT_DIRECTORY}' cannot be varied.")
         for variation in self.variations:
             variation.short = shortest(variation.name, names)
         self.cases = [
@@ -182,8 +184,10 @@ class Sweep:
             for number, values in enumerate(itertools.product(
                 *(variation.values for variation in self.variations)), 1)]
         try:
-            with open(scene, encoding="utf-8") as file:
+            with open(scene, encoding="utf-8", errors="replace") as file:
                 entries = parse_parameters(file.read())
+            # What the scene by itself has left is no input.
+            entries.pop(OUTPUT_DIRECTORY, None)
             self.record = {
                 "scene": os.path.basename(scene), "sha256": digest(scene),
                 "files": {
