@@ -208,20 +208,10 @@ namespace Heddle
         files::remove(own);
       for (const std::string table : tables)
         files::remove(directory + "/" + table);
-      remove_tables_of_yarns();
       for (const std::string name :
            {"fibers", "contacts", "plates", "matrix", "coupling"})
         IO::Collection::remove(directory, name);
       IO::Checkpoint::remove_all(directory);
-    }
-
-
-
-    void
-    Recorder::remove_tables_of_yarns() const
-    {
-      for (const std::string table : tables_of_yarns)
-        std::filesystem::remove(directory + "/" + table);
     }
 
 
@@ -444,7 +434,9 @@ namespace Heddle
           summary.results.clear();
           overfull.clear();
           if (first_rank)
-            remove_tables_of_yarns();
+            for (const std::string table :
+                 {"yarns.csv", "orientation.csv", "crossings.csv"})
+              std::filesystem::remove(directory + "/" + table);
           return;
         }
       const FabricReport fabric    = measured(place);

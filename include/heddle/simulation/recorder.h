@@ -40,13 +40,12 @@ namespace Heddle
       /** Where the fibers are at the end of a stage, in the folder. */
       static constexpr const char *centerlines = "centerlines.csv";
 
-      /** Tables in the folder of how yarns lie at the end of a stage. */
-      static constexpr std::array<const char *, 3> tables_of_yarns = {
-        {"yarns.csv", "orientation.csv", "crossings.csv"}};
-
-      /** Other tables, which a new run removes as well. */
-      static constexpr std::array<const char *, 2> tables = {
-        {"history.csv", centerlines}};
+      /** Tables of results in the folder, which a new run removes. */
+      static constexpr std::array<const char *, 5> tables = {{"history.csv",
+                                                              "yarns.csv",
+                                                              "orientation.csv",
+                                                              "crossings.csv",
+                                                              centerlines}};
 
       /** What the steps of a stage have met that bears on those to come. */
       struct Tries
@@ -199,9 +198,6 @@ namespace Heddle
       /** Remove the checkpoints and tables of an earlier run. */
       void
       clear_folder() const;
-
-      void
-      remove_tables_of_yarns() const;
 
       void
       write_parameters() const;
