@@ -1,3 +1,4 @@
+#include <heddle/contact/angle_where_close.h>
 #include <heddle/contact/proximity_zone.h>
 
 #include <algorithm>
@@ -39,15 +40,6 @@ namespace Heddle
 
 
 
-        double
-        middle(const Curve &curve, const unsigned int interval)
-        {
-          return 0.5 * (curve.arc_lengths[interval] +
-                        curve.arc_lengths[interval + 1]);
-        }
-
-
-
         /** Squared distance of the middles of two intervals. */
         double
         squared_distance(const Curve       &a,
@@ -56,55 +48,9 @@ namespace Heddle
                          const unsigned int j)
         {
           unsigned int hint_a = i, hint_b = j;
-          return (a.evaluate(middle(a, i), hint_a).position -
-                  b.evaluate(middle(b, j), hint_b).position)
+          return (a.evaluate(a.middle(i), hint_a).position -
+                  b.evaluate(b.middle(j), hint_b).position)
             .norm_square();
-        }
-
-
-
-        /** Cosine of the angle of two curves where they are closest to each
-         * other, sought from these intervals. */
-        double
-        cosine_at_closest(const Curve       &a,
-                          const unsigned int i,
-                          const Curve       &b,
-                          const unsigned int j)
-        {
-          unsigned int hint_a = i, hint_b = j;
-          double       s_a = middle(a, i), s_b = middle(b, j);
-          const double scale = a.radius + b.radius;
-          const auto   bounded =
-            [](const double low, const double value, const double high) {
-              return std::min(std::max(value, low), high);
-            };
-          CurvePoint point_a, point_b;
-          for (unsigned int iteration = 0; iteration < 20; ++iteration)
-            {
-              point_a = a.evaluate(s_a, hint_a);
-              point_b = b.evaluate(s_b, hint_b);
-
-              // A step of Gauss and Newton; of parallel fibers none is closest.
-              const Tensor<1, 3> connection =
-                point_a.position - point_b.position;
-              const double aa          = 1.01 * point_a.tangent.norm_square(),
-                           bb          = 1.01 * point_b.tangent.norm_square(),
-                           ab          = point_a.tangent * point_b.tangent,
-                           fa          = -(connection * point_a.tangent),
-                           fb          = connection * point_b.tangent;
-              const double determinant = aa * bb - ab * ab;
-              const double largest_step =
-                std::max(scale, 0.5 * connection.norm());
-              const double step_a = bounded(
-                -largest_step, (bb * fa + ab * fb) / determinant, largest_step);
-              const double step_b = bounded(
-                -largest_step, (ab * fa + aa * fb) / determinant, largest_step);
-              s_a = bounded(0., s_a + step_a, a.length());
-              s_b = bounded(0., s_b + step_b, b.length());
-              if (std::abs(step_a) + std::abs(step_b) < 1e-6 * scale)
-                break;
-            }
-          return point_a.tangent * point_b.tangent;
         }
 
 
@@ -257,16 +203,13 @@ namespace Heddle
                 }
             // At a right angle both orientations give the same forces. The
             // angle is to be told where the fibers touch.
-            const unsigned int closest_a = first[closest].interval_a,
-                               closest_b = first[closest].interval_b;
-            const double cosine = internal::ProximityZone::cosine_at_closest(
-              a, closest_a, b, closest_b);
+            const double cosine =
+              cosine_where_close(first, squares, component, closest, a, b);
             zone.orientation = cosine >= 0. ? 1 : -1;
             if (std::abs(cosine) < internal::ProximityZone::right_angle)
               {
-                const int before =
-                  known(internal::ProximityZone::middle(a, closest_a),
-                        internal::ProximityZone::middle(b, closest_b));
+                const int before = known(a.middle(first[closest].interval_a),
+                                         b.middle(first[closest].interval_b));
                 if (before != 0)
                   zone.orientation = before;
               }
@@ -281,8 +224,8 @@ namespace Heddle
                   const unsigned int i = first[k].interval_a,
                                      j = first[k].interval_b;
                   const double sigma   = zone.orientation;
-                  const double s_a     = internal::ProximityZone::middle(a, i);
-                  const double s_b     = internal::ProximityZone::middle(b, j);
+                  const double s_a     = a.middle(i);
+                  const double s_b     = b.middle(j);
                   const double half =
                     a.arc_lengths[i + 1] - s_a + b.arc_lengths[j + 1] - s_b;
                   const double p = s_a + sigma * s_b;

@@ -67,6 +67,13 @@ namespace Heddle
         return arc_lengths[n_knots - 1];
       }
 
+      /** Arc length of the middle of interval @p i [mm]. */
+      double
+      middle(const unsigned int i) const
+      {
+        return 0.5 * (arc_lengths[i] + arc_lengths[i + 1]);
+      }
+
       /** Position of knot @p i, which is known [mm]. */
       const Tensor<1, 3> &
       position(const unsigned int i) const
