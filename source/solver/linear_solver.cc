@@ -39,6 +39,13 @@ namespace Heddle
       constexpr double no_use = 0.9;
 
       /**
+       * Nearly symmetric is a system of which no more than this is left, or
+       * little more than what the tolerance leaves in any case.
+       */
+      constexpr double hardly_any   = 0.05;
+      constexpr double of_tolerance = 1.5;
+
+      /**
        * Tolerance of GMRES, which goes by the motion that the residual makes
        * and not by its energy, over that of conjugate gradients.
        */
@@ -303,6 +310,8 @@ namespace Heddle
       PC pc;
       petsc(KSPGetPC(iterating, &pc));
       const double left = part_left(pc);
+      result.nearly_symmetric =
+        left <= std::max(hardly_any, of_tolerance * tolerance);
       if (left <= good_enough)
         return converged;
       result.unsymmetric = left > no_use;
@@ -444,7 +453,9 @@ namespace Heddle
           if (unsymmetric)
             {
               petsc(PCApply(pc, system.right_hand_side(), system.solution()));
-              result.unsymmetric = part_left(pc) > good_enough;
+              const double left       = part_left(pc);
+              result.unsymmetric      = left > good_enough;
+              result.nearly_symmetric = left <= hardly_any;
             }
           petsc(
             KSPSolve(factorizing, system.right_hand_side(), system.solution()));

@@ -45,6 +45,14 @@ namespace Heddle
       constexpr unsigned int most_without_secants = 10;
 
       /**
+       * With friction, whose terms are not symmetric, they are of use only
+       * where these do not count, and needed only where so many steps in a row
+       * were cut to less than this part (doc/what_was_tried.md).
+       */
+      constexpr unsigned int most_cut = 5;
+      constexpr double       much_cut = 0.5;
+
+      /**
        * Iterations of a search before the forces of contact turn in the
        * tangent, and the largest motion in the last one, in radii, and mean
        * residual ratio. Further from equilibrium, by motion or by forces, what
@@ -86,6 +94,21 @@ namespace Heddle
 
 
 
+    bool
+    NewtonSearch::may_learn() const
+    {
+      // Steps tell of the stiffness of the terms as they are, and nothing of
+      // use as long as fibers find their places. Friction is not the derivative
+      // of an energy, as secants have it.
+      if (!nonsmooth || !is_in_place() || softened ||
+          iteration < most_without_secants)
+        return false;
+      return !equations.system.has_unsymmetric_terms() ||
+             (linear.nearly_symmetric && (learning || n_cut >= most_cut));
+    }
+
+
+
     void
     NewtonSearch::solve_linear_system()
     {
@@ -94,16 +117,11 @@ namespace Heddle
         tools.damping.add_to(equations.system, equations.state);
       equations.system.end();
 
-      // Steps tell of the stiffness of the terms as they are, and nothing of
-      // use as long as fibers find their places. Friction is not the derivative
-      // of an energy, as secants have it.
       softened = softened || equations.softness() > 0.;
       if (adapted_at == iteration)
         tools.secants.forget();
-      const bool learn = nonsmooth && is_in_place() && !softened &&
-                         iteration >= most_without_secants &&
-                         !equations.system.has_unsymmetric_terms();
-      if (learn)
+      learning = may_learn();
+      if (learning)
         {
           tools.secants.observe(equations.system.right_hand_side());
           tools.secants.reduce(equations.system.right_hand_side());
@@ -123,7 +141,7 @@ namespace Heddle
       linear      = tools.linear_solver.solve(task);
       result.linear_iterations += linear.iterations;
       result.factorizations += linear.factorizations;
-      if (learn)
+      if (learning)
         tools.secants.complete(equations.system.right_hand_side(),
                                equations.system.solution());
       equations.system.extract_increment(increment);
@@ -191,6 +209,7 @@ namespace Heddle
       for (Tensor<1, 3> &motion_of_block : increment)
         motion_of_block *= taken;
       n_whole += taken < 1. ? 0 : 1;
+      n_cut = taken < much_cut ? n_cut + 1 : 0;
       tools.secants.take(taken, equations.system.solution());
       for (const auto &contribution : equations.contributions)
         contribution->predict(equations.state, increment);

@@ -106,11 +106,12 @@ namespace Heddle
     /** How the linear system of a Newton iteration was solved. */
     struct LinearResult
     {
-      unsigned int iterations     = 0; /**< of an iterative solver */
-      unsigned int factorizations = 0;
-      bool         singular       = false; /**< then there is no solution */
-      bool         unsymmetric    = false; /**< far from symmetric */
-      bool         indefinite     = false; /**< as has been found */
+      unsigned int iterations       = 0; /**< of an iterative solver */
+      unsigned int factorizations   = 0;
+      bool         singular         = false; /**< then there is no solution */
+      bool         unsymmetric      = false; /**< far from symmetric */
+      bool         nearly_symmetric = true;  /**< or symmetric */
+      bool         indefinite       = false; /**< as has been found */
     };
 
     /**

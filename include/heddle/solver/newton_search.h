@@ -161,6 +161,10 @@ namespace Heddle
       void
       harden_or_adapt();
 
+      /** Whether the steps before tell of the stiffness, for the next one. */
+      bool
+      may_learn() const;
+
       /** Find the increment, by the best tangent that there is. */
       void
       find_increment();
@@ -225,6 +229,7 @@ namespace Heddle
       bool   softened         = false; /**< nonsmooth terms have been soft */
       bool   may_be_geometric = true;  /**< contact, in the tangent */
       bool   geometric        = false; /**< it is, in this iteration */
+      bool   learning         = false; /**< from steps before, likewise */
       double ratio_before     = 0.;    /**< of the residual, an iteration ago */
       double wanted           = 0.;    /**< by the last system, in radii */
 
@@ -235,6 +240,7 @@ namespace Heddle
       unsigned int n_pending  = 0; /**< with little left of prescribed motion */
       unsigned int n_objections = 0; /**< at rest, and a term objects */
       unsigned int n_whole      = 0; /**< steps that were not shortened */
+      unsigned int n_cut        = 0; /**< steps that were much so, in a row */
     };
   } // namespace Solver
 } // namespace Heddle
