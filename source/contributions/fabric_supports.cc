@@ -233,8 +233,7 @@ namespace Heddle
       Tensor<1, 3>       lever     = place - origin;
       for (unsigned int i = 0; i < n_directions; ++i)
         {
-          sums.work[i] +=
-            (force * kinematics.along[i]) * (held.reference[i] - origin[i]);
+          sums.work[i] += (force * kinematics.along[i]) * middle[i];
           couple +=
             (force * kinematics.turning[i]) * middle[i] * kinematics.stretch[i];
           lever -= kinematics.along[i] * middle[i] * kinematics.stretch[i];
