@@ -39,8 +39,8 @@ namespace Heddle
                  kind,
                  "Test of a fabric, whose four sides are moved: the ends of "
                  "its fibers and, if it has one, the sides of its matrix. "
-                 "Where a dry fabric is pulled in both directions or sheared "
-                 "the ends of each yarn move as one body. "
+                 "Where it is pulled in both directions or, dry, sheared the "
+                 "ends of each yarn move as one body. "
                  "Every load case begins in the initial configuration, "
                  "with the tension under which it was computed, unless "
                  "'Restart/Stress free' is true. What the case lets go of, "
@@ -348,10 +348,10 @@ namespace Heddle
             if (is_shear() && matrix && yarn_ends == YarnEnds::embedded)
               support->slides_along = 1 - along;
             else
-              // Yarns do not shear or get wider or narrower, as a matrix does.
+              // Fibers that touch cannot come nearer: yarns do not shear, nor
+              // get narrower, as a matrix does.
               support->yarns_are_bodies =
-                is_shear() || bends() ||
-                (kind == FabricTest::biaxial_tension && !matrix);
+                is_shear() || bends() || kind == FabricTest::biaxial_tension;
             if (bends())
               bend(family == direction,
                    upper && grip == Grip::one_side && !matrix,
