@@ -61,11 +61,12 @@ namespace Heddle
            const std::string &longest,
            const std::string &separator)
       {
-        const std::string length = shortest == longest
-                                     ? " of length " + shortest
-                                   : shortest == "0" && is_no_bound(longest)
-                                     ? ""
-                                     : " of length" + range(shortest, longest);
+        const std::string length =
+          shortest == longest                       ? " of length " + shortest
+          : shortest == "0" && is_no_bound(longest) ? ""
+          : shortest == "1" && is_no_bound(longest)
+            ? " of one or more"
+            : " of length" + range(shortest, longest);
         return "a list" + length + ", separated by \"" +
                (separator.empty() ? "," : separator) + "\"";
       }

@@ -285,7 +285,8 @@ namespace Heddle
     {
       require(has(name),
               "The checkpoint \"" + path + "\" holds no \"" + name +
-                "\": it was written for another scene.");
+                "\": it was written for another scene; resume it with the "
+                "parameters of its run.");
       const std::string what = "read \"" + name + "\" from " + path;
       const Hdf5Handle  data(
         H5Dopen2(*file, name.c_str(), H5P_DEFAULT), H5Dclose, what);

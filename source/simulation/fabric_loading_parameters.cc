@@ -18,14 +18,29 @@ namespace Heddle
 
 
 
-      /** Whether @p ramp loads nothing at any time. */
-      bool
-      stays_at_rest(const Expression &ramp)
+      /** The least and the largest value of @p ramp. */
+      std::array<double, 2>
+      range_of(const Expression &ramp)
       {
+        std::array<double, 2> range = {};
+        const auto            add   = [&](const double load_factor) {
+          const double value = ramp.value(Tensor<1, 3>(), load_factor);
+          range = {{std::min(range[0], value), std::max(range[1], value)}};
+        };
         for (unsigned int i = 1; i <= 100; ++i)
-          if (ramp.value(Tensor<1, 3>(), 0.01 * i) != 0.)
-            return false;
-        return true;
+          add(0.01 * i);
+        for (const double load_factor : Heddle::turning_points(ramp))
+          add(load_factor);
+        return range;
+      }
+
+
+
+      /** Whether a fabric may be stretched by @p strain. */
+      bool
+      is_possible(const double strain)
+      {
+        return strain > -1. && strain < 10.;
       }
     } // namespace
 
@@ -167,7 +182,8 @@ namespace Heddle
                 fabric_loading + "\"Ramp\" is \"" + ramp +
                   "\", which is not the same everywhere; let it depend on t "
                   "alone.");
-      require(!stays_at_rest(formula),
+      const auto range = range_of(formula);
+      require(range[0] != range[1],
               fabric_loading + "\"Ramp\" is \"" + ramp +
                 "\", which is 0 from t = 0 to 1, and loads nothing; let it "
                 "depend on t, or set \"Kind\" to \"held\".");
@@ -176,7 +192,7 @@ namespace Heddle
               fabric_loading +
                 "\"Strain\" is 0, and pulls nothing; 0.02 are 2 %, and where "
                 "nothing is to be pulled \"Kind\" is \"held\".");
-      require(!stretches || (strain > -1. && strain < 10.),
+      require(!stretches || is_possible(strain),
               fabric_loading + "\"Strain\" is " + number_text(strain) +
                 "; it must lie between -1 and 10, and 0.02 are 2 %.");
       require(!bends() || (std::isfinite(curvature) && curvature != 0.),
@@ -191,12 +207,12 @@ namespace Heddle
                     number_text(*number) +
                     "; the strain of the warp over that of the weft must be "
                     "positive.");
-          require(
-            !stretches || (strain / *number > -1. && strain / *number < 10.),
-            fabric_loading + "\"Strain ratios\" names " + number_text(*number) +
-              ", which makes the strain of the weft " +
-              number_text(strain / *number, 6) +
-              "; it must lie between -1 and 10.");
+          require(!stretches || is_possible(strain / *number),
+                  fabric_loading + "\"Strain ratios\" names " +
+                    number_text(*number) +
+                    ", which makes the strain of the weft " +
+                    number_text(strain / *number, 6) +
+                    "; it must lie between -1 and 10.");
           require(!is_shear() || (*number != 0. && std::abs(*number) < 90.),
                   fabric_loading + "\"Shear angles\" names " +
                     number_text(*number) +
@@ -211,6 +227,50 @@ namespace Heddle
                     number_text(*number) +
                     " twice; each load case is computed once.");
         }
+      for (const double reached : range)
+        check_where_ramp_is(reached);
+    }
+
+
+
+    void
+    FabricLoadingParameters::check_where_ramp_is(const double reached) const
+    {
+      const auto where = [&](const double value) {
+        return fabric_loading + "\"Ramp\" is \"" + ramp +
+               "\", which comes to " + number_text(reached, 6) + " and makes " +
+               number_text(value, 6);
+      };
+      const bool stretches = pulls(YarnSet::warp) || pulls(YarnSet::weft);
+      for (const double number : numbers())
+        {
+          require(!is_shear() || std::abs(reached * number) < 90.,
+                  where(reached * number) + " degrees of a shear angle of " +
+                    number_text(number) + "; it must stay between -90 and 90.");
+          for (const double of_yarns : {strain, strain / number})
+            require(!stretches || is_possible(reached * of_yarns),
+                    where(reached * of_yarns) + " of a strain of " +
+                      number_text(of_yarns, 6) +
+                      "; it must stay between -1 and 10.");
+        }
+    }
+
+
+
+    double
+    FabricLoadingParameters::largest_ramp() const
+    {
+      const auto range =
+        range_of(Expression(ramp, fabric_loading + "\"Ramp\""));
+      return std::max(-range[0], range[1]);
+    }
+
+
+
+    double
+    FabricLoadingParameters::largest_curvature() const
+    {
+      return bends() ? std::abs(curvature) * largest_ramp() : 0.;
     }
 
 
@@ -221,7 +281,7 @@ namespace Heddle
       double largest = 0.;
       if (is_shear())
         for (const double angle : shear_angles)
-          largest = std::max(largest, std::abs(angle));
+          largest = std::max(largest, std::abs(angle) * largest_ramp());
       return largest;
     }
 

@@ -12,13 +12,12 @@ namespace Heddle
     {
       /** Whether there is a place in both that hold all of these. */
       bool
-      has_any_within(const Textile::MatrixMesh       &mesh,
+      has_any_within(const BoundingBox<3>            &mesh,
                      const std::vector<Tensor<1, 3>> &nodes)
       {
         const BoundingBox<3> of_fibers(
           std::vector<Point<3>>(nodes.begin(), nodes.end()));
-        return of_fibers.get_neighbor_type(BoundingBox<3>(mesh.vertices())) !=
-               NeighborType::not_neighbors;
+        return of_fibers.get_neighbor_type(mesh) != NeighborType::not_neighbors;
       }
     } // namespace
 
@@ -38,9 +37,12 @@ namespace Heddle
         {
           const Textile::MatrixMesh mesh(
             parameters.mesh.description(), axes, nodes);
-          require(has_any_within(mesh, nodes),
+          const BoundingBox<3> box(mesh.vertices());
+          require(has_any_within(box, nodes),
                   "Matrix: the block lies beside all fibers; choose other "
                   "corners.");
+          for (unsigned int d = 0; d < 3; ++d)
+            extent[d] = box.side_length(d);
           n_cells = mesh.cells().size();
           n_nodes = mesh.vertices().size();
 

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace Heddle
@@ -105,6 +106,26 @@ namespace Heddle
         const ArchiveReader &archive;
         const unsigned int   stage;
       };
+
+
+
+      /**
+       * Whether a change is of what fibers are and how they settle. Once they
+       * have, their strains and stresses may be others than these parameters
+       * would lead to.
+       */
+      bool
+      is_of_settling(const std::string &change)
+      {
+        for (const std::string section :
+             {"Fiber/", "Weave/", "Initial configuration/"})
+          if (change.rfind(section, 0) == 0)
+            return true;
+        return false;
+      }
+
+      const char *const has_no_effect =
+        " when fibers settled: their places and strains stay as they were";
     } // namespace
 
 
@@ -117,14 +138,27 @@ namespace Heddle
       Place             place;
       const std::string path =
         IO::Checkpoint::last(directory, scene.space().communicator());
-      const std::vector<Stage> &stages  = scene.stages();
-      const std::string         where   = "The checkpoint \"" + path + "\"";
-      const auto                prepare = [&](const ArchiveReader &archive) {
+      const std::vector<Stage> &stages = scene.stages();
+      const std::string         where  = "The checkpoint \"" + path + "\"";
+      const auto has_settled           = [&stages](const std::string &name) {
+        return std::any_of(
+          stages.begin(), stages.end(), [&](const Stage &stage) {
+            return stage.name == name && stage.begins_initially;
+          });
+      };
+      const auto prepare = [&](const ArchiveReader &archive) {
+        // Before what another scene has is looked for in vain.
+        const bool settled = has_settled(archive.read_text("position/stage"));
+        for (const std::string &change :
+             changed_settings(archive.read_text("position/settings"), in_force))
+          log << "Changed        " << change
+              << (settled && is_of_settling(change) ? has_no_effect : "")
+              << std::endl;
         if (!Matrix::is_in(archive))
           return;
         require(parameters.matrix.enabled,
                 where + " is of fibers in a matrix, and the scene has none: "
-                                       "set Matrix/Enabled to true.");
+                        "set Matrix/Enabled to true.");
         scene.embed_as(archive, where);
       };
       const auto load = [&](const ArchiveReader &archive) {
@@ -153,9 +187,6 @@ namespace Heddle
           contribution->load(archive, scene.state());
       };
       const auto position = checkpoint.read(path, scene.state(), load, prepare);
-      for (const std::string &change :
-           changed_settings(position.settings, in_force))
-        log << "Changed        " << change << std::endl;
       // It is there unless a stage that has yet to end writes it.
       bool is_there = true;
       for (unsigned int i = place.stage; i < stages.size(); ++i)
@@ -208,16 +239,9 @@ namespace Heddle
       require_initial_configuration();
       const std::string &file     = given_configuration;
       const std::string  settings = read_initial_configuration(file);
-      // What fibers are and how they settled is in the file: strains and
-      // stresses may be others than these parameters would lead to.
       for (const std::string &change : changed_settings(settings, in_force))
-        for (const std::string section :
-             {"Fiber/", "Weave/", "Initial configuration/"})
-          if (change.rfind(section, 0) == 0)
-            log << "Changed        " << change
-                << " when fibers settled: their places and strains stay as "
-                   "they were"
-                << std::endl;
+        if (is_of_settling(change))
+          log << "Changed        " << change << has_no_effect << std::endl;
       const Post::CrossingCount crossings = scene.count_crossings();
       std::string               wrong     = crossings.wrong_in_words();
       if (wrong.empty())

@@ -361,10 +361,10 @@ namespace Heddle
     void
     Scene::add_load_cases()
     {
-      const double curvature = parameters.fabric_loading.bent_to();
-      require(std::abs(curvature) * fiber_space->smallest_radius() < 1.,
-              "Fabric loading/Curvature is " + number_text(curvature) +
-                ", a radius of " + number_text(1. / std::abs(curvature), 2) +
+      const double curvature = parameters.fabric_loading.largest_curvature();
+      require(curvature * fiber_space->smallest_radius() < 1.,
+              "Fabric loading/Curvature comes to " + number_text(curvature) +
+                ", a radius of " + number_text(1. / curvature, 2) +
                 " mm, and fibers have one of " +
                 number_text(fiber_space->smallest_radius()) +
                 " mm; bend them to more than that.");

@@ -1,4 +1,5 @@
 #include <heddle/base/exceptions.h>
+#include <heddle/simulation/notes_on_units.h>
 #include <heddle/simulation/scene_description.h>
 #include <heddle/simulation/scene_estimate.h>
 #include <heddle/simulation/scene_notes.h>
@@ -151,7 +152,9 @@ namespace Heddle
 
 
       void
-      print_matrix(Log &log, const MatrixEstimate &matrix)
+      print_matrix(Log                  &log,
+                   const MatrixEstimate &matrix,
+                   const double          youngs_modulus)
       {
         if (!matrix.objection.empty())
           log << "Note           the matrix is not known where fibers start: "
@@ -160,7 +163,11 @@ namespace Heddle
           log << "Matrix         about " << std::lround(matrix.n_cells)
               << " cells, " << std::lround(matrix.n_nodes) << " nodes, "
               << std::lround(3. * matrix.n_nodes)
-              << " unknowns, around the fibers where they start\n";
+              << " unknowns, around the fibers where they start\n"
+              << "               " << std::setprecision(3) << matrix.extent[0]
+              << " x " << matrix.extent[1] << " x " << matrix.extent[2]
+              << " mm, of " << youngs_modulus / 1000.
+              << " GPa (Matrix/Youngs modulus)\n";
       }
 
 
@@ -192,7 +199,7 @@ namespace Heddle
             (parameters.fabric_loading.largest_shear_angle() > large_angle ||
              parameters.fabric_loading.bends()))
           log << "\nNote           Matrix/Law is linear, which takes turns for "
-                 "strains: under such loads another one is right";
+                 "strains: under such loads set Matrix/Law = neo-hookean";
         if (parameters.matrix.enabled && parameters.matrix.degree > 1 &&
             parameters.matrix.material.poisson_ratio > rigid_volume &&
             parameters.fabric_loading.is_active() &&
@@ -294,9 +301,12 @@ namespace Heddle
               estimate.matrix.objection);
       print_fibers(log, scene, parameters, estimate.settles());
       if (parameters.matrix.enabled)
-        print_matrix(log, estimate.matrix);
-      for (const std::string &note : notes_on_fibers(scene, parameters))
-        log << "Note           " << note << '\n';
+        print_matrix(
+          log, estimate.matrix, parameters.matrix.material.youngs_modulus);
+      for (const auto &notes : {notes_on_units(scene, parameters),
+                                notes_on_fibers(scene, parameters)})
+        for (const std::string &note : notes)
+          log << "Note           " << note << '\n';
       log << "Contributions  ";
       if (scene.stages().empty())
         {

@@ -56,12 +56,11 @@ namespace Heddle
                   const double      poisson_ratio)
     {
       require(youngs_modulus > 0.,
-              "Young's modulus of the matrix must be positive, but it is " +
-                number_text(youngs_modulus) + ".");
+              "Matrix/Youngs modulus is " + number_text(youngs_modulus) +
+                "; it must be above 0.");
       require(poisson_ratio > -1. && poisson_ratio < .5,
-              "Poisson's ratio of the matrix must be above -1 and below 0.5, "
-              "but it is " +
-                number_text(poisson_ratio) + ".");
+              "Matrix/Poisson ratio is " + number_text(poisson_ratio) +
+                "; it must be above -1 and below 0.5.");
       const double shear_modulus = youngs_modulus / (2. * (1. + poisson_ratio));
       const double bulk_modulus =
         youngs_modulus / (3. * (1. - 2. * poisson_ratio));

@@ -41,8 +41,13 @@ namespace Heddle
           number_text(spacings[weft], 4) + " mm (weft) for yarns " +
           number_text(sections[warp].width, 4) + " mm and " +
           number_text(sections[weft].width, 4) +
-          " mm wide; enlarge the spacing, pack the yarns hexagonally, or start "
-          "from interpenetrating yarns.");
+          " mm wide; enlarge Weave/Warp yarns/Yarn spacing" +
+          (description.warp.packing.layout == Layout::hexagonal &&
+               description.weft.packing.layout == Layout::hexagonal
+             ? ""
+             : ", set Weave/Warp yarns/Packing = hexagonal") +
+          ", or Weave/Crimp factor to start from yarns that lie in each "
+          "other.");
     }
 
 

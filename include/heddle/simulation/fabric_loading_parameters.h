@@ -173,12 +173,9 @@ namespace Heddle
         return kind == FabricTest::bending;
       }
 
-      /** To which the fabric is bent where the ramp is 1; else 0 [1/mm]. */
+      /** To which the fabric is bent, either way; 0 if it is not [1/mm]. */
       double
-      bent_to() const
-      {
-        return bends() ? curvature : 0.;
-      }
+      largest_curvature() const;
 
       /** Of all load cases [degrees]; 0 where none shears. */
       double
@@ -202,6 +199,15 @@ namespace Heddle
       cases(const FibersAtSides &fibers, const bool matrix) const;
 
     private:
+      /** Throw InputError if there is no such motion where the ramp is
+       * @p reached. */
+      void
+      check_where_ramp_is(const double reached) const;
+
+      /** How far the ramp gets, either way [-]. */
+      double
+      largest_ramp() const;
+
       /** Whether the test pulls along these yarns. */
       bool
       pulls(const YarnSet yarns) const;

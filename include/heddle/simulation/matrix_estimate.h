@@ -4,6 +4,7 @@
 #include <heddle/simulation/matrix_parameters.h>
 #include <heddle/textile/fiber_path.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ namespace Heddle
       MatrixEstimate(const MatrixParameters                &parameters,
                      const std::vector<Textile::FiberPath> &paths);
 
-      double n_cells = 0.;
-      double n_nodes = 0.;
+      double                n_cells = 0.;
+      double                n_nodes = 0.;
+      std::array<double, 3> extent  = {}; /**< along x, y, z [mm] */
 
       /** What is wrong with a mesh around the paths; empty if nothing is. */
       std::string objection;
