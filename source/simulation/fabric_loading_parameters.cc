@@ -281,8 +281,8 @@ namespace Heddle
       double largest = 0.;
       if (is_shear())
         for (const double angle : shear_angles)
-          largest = std::max(largest, std::abs(angle) * largest_ramp());
-      return largest;
+          largest = std::max(largest, std::abs(angle));
+      return largest > 0. ? largest * largest_ramp() : 0.;
     }
 
 

@@ -1,8 +1,6 @@
 #include <heddle/base/number_text.h>
 #include <heddle/simulation/notes_on_units.h>
 
-#include <cmath>
-
 namespace Heddle
 {
   namespace Simulation
@@ -42,8 +40,7 @@ namespace Heddle
           return "fibers have a modulus of " + number_text(modulus, 3) +
                  " MPa along them (Fiber/Axial modulus): drawn polymers have "
                  "1000 to 200000, glass 72000, carbon up to 900000; see "
-                 "whether "
-                 "it is in MPa, and radii in mm";
+                 "whether it is in MPa, and radii in mm";
         if (!fiber_radii.has(fiber.radius))
           return "fibers have a radius of " + number_text(fiber.radius, 3) +
                  " mm: filaments of glass and carbon have 0.0025 to 0.012; see "

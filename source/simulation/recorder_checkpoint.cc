@@ -124,7 +124,7 @@ namespace Heddle
         return false;
       }
 
-      const char *const has_no_effect =
+      const char *const what_stays =
         " when fibers settled: their places and strains stay as they were";
     } // namespace
 
@@ -152,7 +152,7 @@ namespace Heddle
         for (const std::string &change :
              changed_settings(archive.read_text("position/settings"), in_force))
           log << "Changed        " << change
-              << (settled && is_of_settling(change) ? has_no_effect : "")
+              << (settled && is_of_settling(change) ? what_stays : "")
               << std::endl;
         if (!Matrix::is_in(archive))
           return;
@@ -241,7 +241,7 @@ namespace Heddle
       const std::string  settings = read_initial_configuration(file);
       for (const std::string &change : changed_settings(settings, in_force))
         if (is_of_settling(change))
-          log << "Changed        " << change << has_no_effect << std::endl;
+          log << "Changed        " << change << what_stays << std::endl;
       const Post::CrossingCount crossings = scene.count_crossings();
       std::string               wrong     = crossings.wrong_in_words();
       if (wrong.empty())
