@@ -165,9 +165,14 @@ namespace Heddle
         first + second > 0. ? second / (first + second) : double(one);
       for (unsigned int side = 0; side < 2; ++side)
         if (nearest[side] != nullptr)
-          result.displacement += std::max(fade[0], fade[1]) *
-                                 (side == 1 ? part : 1. - part) *
-                                 nearest[side]->displacement;
+          {
+            const Record &record = *nearest[side];
+            const double  share =
+              std::max(fade[0], fade[1]) * (side == 1 ? part : 1. - part);
+            result.displacement += share * record.displacement;
+            result.limit +=
+              share * record.limit * element.weight / record.weight;
+          }
       return result;
     }
 

@@ -89,6 +89,7 @@ namespace Heddle
 
       const auto left       = memory.at(touching, 0.5 * radius);
       element.energy_before = element.law.energy_ratio(left.displacement);
+      element.limit_before  = left.limit;
       element.set_displacement(motion,
                                share_of_step(touching, motion),
                                left.displacement,
@@ -404,17 +405,31 @@ namespace Heddle
     std::vector<double>
     FiberFriction::limits_before() const
     {
-      using Fibers = std::pair<unsigned int, unsigned int>;
-      std::map<Fibers, double> limits;
+      struct Sum
+      {
+        double now = 0., before = 0.;
+      };
+      std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
       for (const Element &element : elements)
-        limits[{element.fiber_a, element.fiber_b}] += element.law.limit;
-      for (auto &limit : limits)
-        limit.second = memory.limit(limit.first.first, limit.first.second) /
-                       std::max(limit.second, 1e-300);
-      std::vector<double> ratios;
+        {
+          Sum &sum = sums[{element.fiber_a, element.fiber_b}];
+          sum.now += element.law.limit;
+          sum.before += element.limit_before;
+        }
+
+      std::vector<double> limits;
       for (const Element &element : elements)
-        ratios.push_back(limits[{element.fiber_a, element.fiber_b}]);
-      return ratios;
+        {
+          const unsigned int a = element.fiber_a, b = element.fiber_b;
+          const Sum         &sum = sums.at({a, b});
+          const double       had = memory.limit(a, b);
+          limits.push_back(sum.before > had
+                             ? element.limit_before * had / sum.before
+                             : element.limit_before + (had - sum.before) *
+                                                        element.law.limit /
+                                                        sum.now);
+        }
+      return limits;
     }
 
 
@@ -437,7 +452,7 @@ namespace Heddle
             {
               // The work of a step is that at the mean of its limits.
               sums.work +=
-                0.5 * (1. + before[i]) * element.law.limit *
+                0.5 * (before[i] + element.law.limit) *
                 (element.law.energy_ratio(u) - element.energy_before);
               sums.stored += element.law.energy(kept);
             }

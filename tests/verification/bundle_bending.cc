@@ -213,6 +213,6 @@ main(int argc, char **argv)
   judge("cycle, dissipation over work",
         (bundle.dissipated() - begun) / area,
         1.,
-        1e-2,
+        1.5e-3,
         bundle.converged);
 }

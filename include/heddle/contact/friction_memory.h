@@ -40,11 +40,12 @@ namespace Heddle
       set(std::vector<Record> &records);
 
       /**
-       * Return the displacement at an element: that of a record at the same
-       * particles, or what lies between the two next to it. It fades with their
-       * distance, and is gone beyond @p reach [mm] or their own lengths: a
-       * contact that slides or grows keeps what it has, and what touches for
-       * the first time has none. It is a continuous function of the particles.
+       * Return displacement and limit at an element: those of a record at the
+       * same particles, or what lies between the two next to it, the limit as
+       * it is for the length of the element. They fade with their distance,
+       * and are gone beyond @p reach [mm] or their own lengths: a contact that
+       * slides or grows keeps what it has, and what touches for the first time
+       * has none. They are continuous functions of the particles.
        */
       Record
       at(const ContactElement &element, const double reach) const;

@@ -140,6 +140,8 @@ namespace Heddle
         /** Energy that the last step left, over the limit [mm]. */
         double energy_before;
 
+        double limit_before; /**< mu f that the last step left there [N] */
+
         /** How the limit falls while the gap opens [N/mm]. */
         double limit_stiffness;
       };
@@ -203,7 +205,12 @@ namespace Heddle
       share_of_step(const Contact::ContactElement &touching,
                     const FrictionElement::Motion &motion) const;
 
-      /** Friction that the last step left, over that of now, of both fibers. */
+      /**
+       * Limits of all elements that the last step left [N]: those of their
+       * particles, so that their sum over both fibers is what it was. What
+       * these had elsewhere, as where one slides by more than the length of a
+       * contact, is shared out as the present limits are.
+       */
       std::vector<double>
       limits_before() const;
 
