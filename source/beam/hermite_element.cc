@@ -389,25 +389,29 @@ namespace Heddle
                                   const double       *reference_strains) const
     {
       const Tensor<1, 3> tangent = combine(tangent_factors(length)[1], blocks);
-      const double       stretch = tangent.norm();
       SectionState       state;
       state.axial_strain = axial_strain(tangent) - reference_strains[1];
-      state.axial_force  = section.axial * state.axial_strain * stretch;
 
-      // The mean of the two points, so that the reference itself gives zero.
-      // The moment m r'' / |r''| changes along the fiber, -m |r''| of it along
-      // the axis: the force in the section is n = N r' - (m r'' / |r''|)'.
-      const auto factors = curvature_factors(length);
+      // Values of bending are the mean of two points, so that the reference
+      // itself gives zero. With the derivative of its energy by r'', M = m r''
+      // / |r''|, the force in the section is n = N r' - M'.
+      Tensor<1, 3> force   = (section.axial * state.axial_strain) * tangent;
+      const auto   factors = curvature_factors(length);
       for (unsigned int q = 0; q < n_bending; ++q)
         {
           const RoundedCurvature curvature(reference_strains[n_axial + q],
                                            length);
-          const Tensor<1, 3>     bend = combine(factors[q], blocks);
-          const double strain         = curvature.strain(curvature.value(bend));
+          const Tensor<1, 3>     bend   = combine(factors[q], blocks);
+          const double           m      = curvature.value(bend);
+          const double           strain = curvature.strain(m);
           state.curvature[0] += bending_weight[q] * strain;
-          state.axial_force += bending_weight[q] * section.bending * strain *
-                               bend.norm() / stretch;
+          if (m > 0.)
+            force += (q == 0 ? 1. : -1.) / (gauss_point * length) *
+                     section.bending * strain / m * bend;
         }
+      const Tensor<1, 3> axis = tangent / tangent.norm();
+      state.axial_force       = force * axis;
+      state.shear_force[0]    = (force - state.axial_force * axis).norm();
       state.bending_moment[0] = section.bending * state.curvature[0];
       return state;
     }

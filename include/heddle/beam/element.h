@@ -176,8 +176,9 @@ namespace Heddle
        * Strains, forces and moments in the section at the middle of the
        * element, for output. Moments are conjugate to curvature and twist;
        * forces are those that balance loads: the derivative of the energy by
-       * r', along the axis and along the vectors of the section. Of the
-       * slender element the one along the axis alone is known.
+       * r', along the axis and along the vectors of the section. The slender
+       * element has no such vectors: there the first one is what acts across
+       * the axis.
        */
       struct SectionState
       {
@@ -186,9 +187,9 @@ namespace Heddle
         double       twist = 0.;        /**< [1/mm] */
         Tensor<1, 2> curvature; /**< [1/mm]; first: magnitude if torsion-free */
         double       axial_force = 0.; /**< [N] */
-        Tensor<1, 2> shear_force;      /**< [N] */
-        double       torque = 0.;      /**< [N mm] */
-        Tensor<1, 2> bending_moment;   /**< [N mm] */
+        Tensor<1, 2> shear_force; /**< [N]; first: magnitude if torsion-free */
+        double       torque = 0.; /**< [N mm] */
+        Tensor<1, 2> bending_moment; /**< [N mm] */
       };
 
       virtual SectionState
