@@ -121,6 +121,22 @@ namespace Heddle
 
 
 
+        /** Unit vector along g_1 of the section at the arc length @p s. */
+        Tensor<1, 3>
+        first_direction(const System::FiberSpace &space,
+                        const System::State      &state,
+                        const unsigned int        f,
+                        const double              s)
+        {
+          const System::SectionPoint section = space.locate_section(f, s);
+          Tensor<1, 3>               g;
+          for (unsigned int i = 0; i < 2; ++i)
+            g += section.values[i] * state.block(f, section.blocks[i]);
+          return g / g.norm();
+        }
+
+
+
         /** A fiber of no yarn or no bundle shows -1. */
         double
         id(const unsigned int number)
@@ -144,30 +160,40 @@ namespace Heddle
 
 
 
-    const std::vector<std::string> &
-    FiberOutput::fields()
+    std::vector<std::string>
+    FiberOutput::fields() const
     {
-      static const std::vector<std::string> names = {"displacement[3]",
-                                                     "cross_section_radius",
-                                                     "fiber_id",
-                                                     "bundle_id",
-                                                     "yarn_id",
-                                                     "is_warp",
-                                                     "arc_length",
-                                                     "axial_strain",
-                                                     "shear_strain_2",
-                                                     "shear_strain_3",
-                                                     "twist",
-                                                     "curvature_2",
-                                                     "curvature_3",
-                                                     "axial_force",
-                                                     "shear_force_2",
-                                                     "shear_force_3",
-                                                     "torque",
-                                                     "bending_moment_2",
-                                                     "bending_moment_3",
-                                                     "max_fiber_stress"};
+      std::vector<std::string> names = {"displacement[3]",
+                                        "cross_section_radius",
+                                        "fiber_id",
+                                        "bundle_id",
+                                        "yarn_id",
+                                        "is_warp",
+                                        "arc_length",
+                                        "axial_strain",
+                                        "shear_strain_2",
+                                        "shear_strain_3",
+                                        "twist",
+                                        "curvature_2",
+                                        "curvature_3",
+                                        "axial_force",
+                                        "shear_force_2",
+                                        "shear_force_3",
+                                        "torque",
+                                        "bending_moment_2",
+                                        "bending_moment_3",
+                                        "max_fiber_stress"};
+      if (has_sections())
+        names.push_back("direction_2[3]");
       return names;
+    }
+
+
+
+    bool
+    FiberOutput::has_sections() const
+    {
+      return space.n_blocks_per_node() > 2;
     }
 
 
@@ -185,7 +211,8 @@ namespace Heddle
         helpers::section_curve(space, state, reference_strains, f);
       const auto stations = helpers::stations(space, n_subdivisions, f);
 
-      const unsigned int  n_rows = 3 + 6 + helpers::n_section_values + 3;
+      const unsigned int n_rows =
+        3 + 6 + helpers::n_section_values + (has_sections() ? 3 : 0) + 3;
       PatchFile<1>::Patch patch;
       patch.n_subdivisions       = stations.size() - 1;
       patch.reference_cell       = ReferenceCells::Line;
@@ -215,6 +242,12 @@ namespace Heddle
           put(s);
           for (const double value : section)
             put(value);
+          if (has_sections())
+            {
+              const auto g = helpers::first_direction(space, state, f, s);
+              for (unsigned int d = 0; d < 3; ++d)
+                put(g[d]);
+            }
           // The points themselves come last: so the patch wants it.
           for (unsigned int d = 0; d < 3; ++d)
             put(x[d]);

@@ -57,9 +57,8 @@ fibers()
   const auto maximum = [](const double value) {
     return Utilities::MPI::max(value, MPI_COMM_WORLD);
   };
-  deallog << "fields " << Heddle::IO::FiberOutput::fields().size()
-          << ", total length " << Utilities::MPI::sum(total, MPI_COMM_WORLD)
-          << std::endl
+  deallog << "fields " << output.fields().size() << ", total length "
+          << Utilities::MPI::sum(total, MPI_COMM_WORLD) << std::endl
           << "on the wave within 1e-3: " << (maximum(off_the_wave) < 1e-3)
           << ", lifted within 1e-6: " << (maximum(lift_error) < 1e-6)
           << ", strained within 1e-4: " << (maximum(strain_error) < 1e-4)
@@ -152,10 +151,63 @@ contacts()
 
 
 
+/** Sections point where the first of their vectors does, whatever its size. */
+void
+sections()
+{
+  Heddle::System::FiberSpace::Description fiber;
+  fiber.element_lengths = {0.5, 0.5};
+  fiber.radius          = 0.1;
+  fiber.section = Heddle::Beam::circular_section(0.1, 1000., 400., 0.25);
+  const Heddle::System::FiberSpace space(
+    MPI_COMM_WORLD,
+    Heddle::Beam::make_element(Heddle::Beam::ElementKind::director,
+                               /*degree=*/1),
+    {fiber});
+  Heddle::System::State state(space);
+  const auto            owned   = space.owned_fibers();
+  const auto            turning = [](const unsigned int node) {
+    return Tensor<1, 3>({0., std::cos(0.4 * node), std::sin(0.4 * node)});
+  };
+  for (unsigned int f = owned.first; f < owned.second; ++f)
+    for (unsigned int node = 0; node < 3; ++node)
+      {
+        Tensor<1, 3> *blocks = state.fiber(f) + 3 * node;
+        blocks[0]            = Tensor<1, 3>({0.5 * node, 0., 0.});
+        blocks[1]            = 0.9 * turning(node);
+        blocks[2] =
+          1.2 * cross_product_3d(Tensor<1, 3>({1., 0., 0.}), blocks[1]);
+      }
+
+  // Its three numbers are the last ones before the position.
+  const Heddle::IO::FiberOutput output(space, /*n_subdivisions=*/1, "sections");
+  std::vector<double>           zero(Heddle::Beam::Element::max_strains);
+  double                        error = 0.;
+  for (unsigned int f = owned.first; f < owned.second; ++f)
+    {
+      const auto patch = output.patch(
+        state,
+        state.current(),
+        [&](const unsigned int, const unsigned int) { return zero.data(); },
+        f);
+      const unsigned int row = patch.data.n_rows() - 6;
+      for (unsigned int node = 0; node < 3; ++node)
+        for (unsigned int d = 0; d < 3; ++d)
+          error = std::max<double>(
+            error, std::abs(patch.data(row + d, node) - turning(node)[d]));
+    }
+  deallog << "fields " << output.fields().size() << ", last "
+          << output.fields().back() << ", right within 1e-6: "
+          << (Utilities::MPI::max(error, MPI_COMM_WORLD) < 1e-6) << std::endl;
+}
+
+
+
 int
 main(int argc, char **argv)
 {
   const MPITest mpi(argc, argv);
   run_part("Fibers", fibers);
+  run_part("Sections", sections);
   run_part("Contact elements", contacts);
 }

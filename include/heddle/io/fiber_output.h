@@ -60,10 +60,14 @@ namespace Heddle
             const unsigned int               f) const;
 
       /** Names of the data, vectors with the suffix "[3]", in their order. */
-      static const std::vector<std::string> &
-      fields();
+      std::vector<std::string>
+      fields() const;
 
     private:
+      /** Fibers have sections, whose directions are written. */
+      bool
+      has_sections() const;
+
       const System::FiberSpace &space;
       const unsigned int        n_subdivisions;
       Collection                collection;
