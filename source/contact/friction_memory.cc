@@ -139,7 +139,7 @@ namespace Heddle
           const double along = 0.5 * (a + record.orientation * b),
                        apart = std::max(std::abs(a), std::abs(b));
           const bool side    = along > 0.;
-          if (apart < furthest && std::abs(along) < distance[side])
+          if (apart < limit(record.weight) && std::abs(along) < distance[side])
             {
               nearest[side]  = &record;
               distance[side] = std::abs(along);

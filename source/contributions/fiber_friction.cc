@@ -407,7 +407,7 @@ namespace Heddle
     {
       struct Sum
       {
-        double now = 0., before = 0.;
+        double now = 0., before = 0., had = 0.;
       };
       std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
       for (const Element &element : elements)
@@ -416,18 +416,18 @@ namespace Heddle
           sum.now += element.law.limit;
           sum.before += element.limit_before;
         }
+      for (auto &[fibers, sum] : sums)
+        sum.had = memory.limit(fibers.first, fibers.second);
 
       std::vector<double> limits;
       for (const Element &element : elements)
         {
-          const unsigned int a = element.fiber_a, b = element.fiber_b;
-          const Sum         &sum = sums.at({a, b});
-          const double       had = memory.limit(a, b);
-          limits.push_back(sum.before > had
-                             ? element.limit_before * had / sum.before
-                             : element.limit_before + (had - sum.before) *
-                                                        element.law.limit /
-                                                        sum.now);
+          const Sum   &sum    = sums.at({element.fiber_a, element.fiber_b});
+          const double before = element.limit_before;
+          limits.push_back(sum.before > sum.had
+                             ? before * sum.had / sum.before
+                             : before + (sum.had - sum.before) *
+                                          element.law.limit / sum.now);
         }
       return limits;
     }

@@ -122,8 +122,9 @@ namespace Heddle
       if (place.stepping != nullptr)
         {
           // Only a search tells whether fibers are near each other. A stage
-          // that has yet to begin sees to this by itself.
-          if (place.stepping->has_begun())
+          // that has yet to begin sees to this by itself, and one with its own
+          // way has left what it searched.
+          if (place.stepping->has_begun() && !scene.stages()[place.stage].solve)
             update_contacts();
           place.crossings =
             scene.count_crossings(scene.stages()[place.stage].flattened);
@@ -148,15 +149,14 @@ namespace Heddle
         }
       catch (const NotConverged &error)
         {
-          // First: what is saved may find the disk full.
-          recorder.finish(Status::not_converged, error.what());
+          tell(Status::not_converged, error.what());
           keep_last_step();
           recorder.finish(Status::not_converged, error.what());
           throw;
         }
       catch (const Stopped &error)
         {
-          recorder.finish(Status::stopped, error.what());
+          tell(Status::stopped, error.what());
           reject(scene.stages()[place.stage]);
           recorder.write_checkpoint(place);
           recorder.finish(Status::stopped, error.what());
@@ -166,6 +166,21 @@ namespace Heddle
         {
           recorder.finish(Status::failed, error.what());
           throw;
+        }
+    }
+
+
+
+    void
+    Computation::tell(const IO::Status status, const std::string &why)
+    {
+      try
+        {
+          recorder.finish(status, why);
+        }
+      catch (const std::exception &)
+        {
+          // It is told once more when the state is saved, which all ranks do.
         }
     }
 
@@ -185,8 +200,9 @@ namespace Heddle
     void
     Computation::update_contacts()
     {
-      for (auto *term :
-           Solver::nonsmooth_terms(scene.stages()[place.stage].contributions))
+      const Stage &stage = scene.stages()[place.stage];
+      stage.set_up(place.stepping->reached());
+      for (auto *term : Solver::nonsmooth_terms(stage.contributions))
         term->update(scene.state());
     }
 

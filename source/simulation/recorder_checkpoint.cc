@@ -196,7 +196,18 @@ namespace Heddle
           if (scene.ends_initially(i) && !stepping[i]->finished())
             is_there = false;
         }
-      history.resume(position.history);
+      try
+        {
+          history.resume(position.history);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(
+            where + " has results of other kinds. " + error.what() +
+            " Resume it with the parameters of its run; to load what has "
+            "settled there in another way, name its folder in Restart/Initial "
+            "configuration and let the results go elsewhere.");
+        }
       place.number = position.number;
       return place;
     }

@@ -284,12 +284,16 @@ namespace Heddle
           stage.aim = Solver::Aim::equilibrium_after_calm;
           add_friction(stage);
         }
+      const std::string what_helps =
+        fiber_contact
+          ? what_helps_crossings
+          : "; nothing keeps them apart: set Contact/Enabled to true";
       stage.objection =
-        [](const Post::CrossingCount &crossings) -> std::string {
+        [what_helps](const Post::CrossingCount &crossings) -> std::string {
         std::string wrong = crossings.wrong_in_words();
         if (wrong.empty())
           wrong = crossings.apart_in_words();
-        return wrong.empty() ? "" : wrong + what_helps_crossings;
+        return wrong.empty() ? "" : wrong + what_helps;
       };
       all_stages.push_back(stage);
     }
@@ -308,6 +312,18 @@ namespace Heddle
       add_section_damping(stage, /*with_friction=*/false);
       stage.contributions.push_back(fiber_contact);
       all_stages.push_back(stage);
+    }
+
+
+
+    double
+    Scene::largest_radius(const YarnSet family) const
+    {
+      double largest = 0.;
+      for (const Textile::FiberPath &path : paths)
+        if (path.set == word(family))
+          largest = std::max(largest, path.radius);
+      return largest;
     }
 
 
@@ -362,12 +378,16 @@ namespace Heddle
     Scene::add_load_cases()
     {
       const double curvature = parameters.fabric_loading.largest_curvature();
-      require(curvature * fiber_space->smallest_radius() < 1.,
+      // What lies beyond the axis of the cylinder would be turned inside out.
+      const double half =
+        largest_radius(YarnSet::warp) + largest_radius(YarnSet::weft);
+      require(curvature * half < 1.,
               "Fabric loading/Curvature comes to " + number_text(curvature) +
                 ", a radius of " + number_text(1. / curvature, 2) +
-                " mm, and fibers have one of " +
-                number_text(fiber_space->smallest_radius()) +
-                " mm; bend them to more than that.");
+                " mm, and a warp and a weft fiber, half as thick as a fabric "
+                "at least, are " +
+                number_text(half) +
+                " mm; bend it to a radius of more than that.");
       const Contributions::FabricSize size = fabric_size();
       fabric_cases = parameters.fabric_loading.cases(fibers_at_sides(),
                                                      parameters.matrix.enabled);

@@ -41,9 +41,16 @@ namespace Heddle
       read_checkpoint();
 
     private:
-      /** Look for contacts in the state as it is. */
+      /** Look for contacts in the state as it is, as its last step did. */
       void
       update_contacts();
+
+      /**
+       * Write how the run ends, if that can be written: what is saved next may
+       * find the disk full.
+       */
+      void
+      tell(const IO::Status status, const std::string &why);
 
       /** No equilibrium was found: see that the last one is kept. */
       void

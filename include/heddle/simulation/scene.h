@@ -226,6 +226,10 @@ namespace Heddle
       void
       add_plates(Stage &stage) const;
 
+      /** Of the fibers of this family [mm]. */
+      double
+      largest_radius(const YarnSet family) const;
+
       /** What forces on the sides of the fabric are divided by. */
       Contributions::FabricSize
       fabric_size() const;
